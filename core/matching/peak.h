@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/image/image.h"
+#include "core/matching/score_map.h"
+
+namespace kambara {
+
+/// The best position of a map, as a position of the template's top-left pixel.
+struct Peak {
+    double x = 0.0;  ///< to sub-pixel where the best position has neighbours on both sides
+    double y = 0.0;
+    int whole_x = 0;  ///< the best whole position
+    int whole_y = 0;
+    double score = 0.0;      ///< at the whole position
+    bool on_border = false;  ///< the best may lie outside the region searched
+};
+
+/// The best position; of equal ones the first in reading order. Sub-pixel by the vertex of a
+/// parabola through the best score and its two neighbours, in x and in y, at most half a pixel
+/// away. Empty for an empty map.
+std::optional<Peak> best_peak(const ScoreMap& map, Measure measure);
+
+/// The best score farther than `distance` positions (in x or in y) from the peak: what the match
+/// must be told apart from. Empty where the map holds no such position.
+std::optional<double> runner_up(const ScoreMap& map, Measure measure, const Peak& peak,
+                                int distance);
+
+/// The normalised quality in [0, 1] of a score, 1 for a perfect match: the score itself for the
+/// correlations (negative ones give 0); for SAD 1 - SAD / sum(abs(T - mean T)), 0 where no better
+/// than a flat patch of the template's mean.
+double quality(Measure measure, double score, const Image& templ);
+
+}  // namespace kambara

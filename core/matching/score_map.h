@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/image/rectangle.h"
+#include "core/matching/measure.h"
+
+namespace kambara {
+
+/// The scores of a template at every position of a rectangle of positions. A position is the
+/// picture's pixel under the template's top-left pixel; only full overlap counts.
+struct ScoreMap {
+    Rectangle positions;        ///< of the template's top-left pixel, in the picture
+    std::vector<float> scores;  ///< positions.height rows of positions.width
+
+    float at(int x, int y) const {  ///< by position in the picture
+        return scores[static_cast<std::size_t>(y - positions.y) *
+                          static_cast<std::size_t>(positions.width) +
+                      static_cast<std::size_t>(x - positions.x)];
+    }
+    bool empty() const { return scores.empty(); }
+};
+
+/// The score of one position, from integer sums: exact up to the last division. Both pictures have
+/// the same number of channels; the sums run over all of them. Needs full overlap.
+double score_at(Measure measure, const Image& picture, const Image& templ, int x, int y);
+
+/// The map over `positions`, clipped to where the template fits wholly inside the picture; empty
+/// where it fits nowhere.
+ScoreMap score_map(Measure measure, const Image& picture, const Image& templ,
+                   const Rectangle& positions);
+
+/// All positions at which a template fits: (W - w + 1) x (H - h + 1) of them, or none.
+Rectangle all_positions(const Image& picture, const Image& templ);
+
+}  // namespace kambara

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/matching/texture.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/matching/score_map.h"
+
+namespace kambara {
+namespace {
+
+constexpr int smallest_side_px = 7;
+constexpr double least_contrast_grey = 2.5;
+constexpr double least_gradient_grey_px = 0.6;
+
+double clamped(const Image& grey, int x, int y) {
+    return grey.at(std::clamp(x, 0, grey.width() - 1), std::clamp(y, 0, grey.height() - 1));
+}
+
+double mean_3x3(const Image& grey, int x, int y) {
+    double sum = 0.0;
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            sum += clamped(grey, x + dx, y + dy);
+        }
+    }
+    return sum / 9.0;
+}
+
+double weaker_eigenvalue(const Eigen::Matrix2d& symmetric) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(symmetric, Eigen::EigenvaluesOnly)
+        .eigenvalues()[0];
+}
+
+}  // namespace
+
+Texture texture_of(const Image& grey, const Rectangle& r) {
+    double sum = 0.0;
+    double squares = 0.0;
+    Eigen::Matrix2d gradients = Eigen::Matrix2d::Zero();
+    for (int y = r.y; y < r.y + r.height; ++y) {
+        for (int x = r.x; x < r.x + r.width; ++x) {
+            const double value = mean_3x3(grey, x, y);
+            sum += value;
+            squares += value * value;
+            const Eigen::Vector2d g(0.5 * (mean_3x3(grey, x + 1, y) - mean_3x3(grey, x - 1, y)),
+                                    0.5 * (mean_3x3(grey, x, y + 1) - mean_3x3(grey, x, y - 1)));
+            gradients += g * g.transpose();
+        }
+    }
+    const double n = static_cast<double>(r.width) * r.height;
+    const double mean = sum / n;
+    return {std::sqrt(std::max(0.0, squares / n - mean * mean)),
+            std::sqrt(std::max(0.0, weaker_eigenvalue(gradients / n)))};
+}
+
+Result<Done> check_template(const Image& grey, const Rectangle& r) {
+    if (!r.inside(grey.width(), grey.height())) {
+        return Error{"The template " + to_string(r) + " is not inside the picture of " +
+                         std::to_string(grey.width()) + " x " + std::to_string(grey.height()) +
+                         " pixels.",
+                     "Choose a rectangle that lies wholly inside."};
+    }
+    if (r.width < smallest_side_px || r.height < smallest_side_px) {
+        return Error{"The template " + to_string(r) + " is too small to be followed.",
+                     "Choose at least 7 x 7 pixels; 21 x 21 is a good size."};
+    }
+    const Texture texture = texture_of(grey, r);
+    if (texture.contrast_grey < least_contrast_grey) {
+        return Error{"The template " + to_string(r) + " has no texture: its grey levels vary by " +
+                         std::to_string(texture.contrast_grey) + ", noise included.",
+                     "Choose a piece with marks or edges, or a larger one."};
+    }
+    if (texture.weakest_gradient_grey_px < least_gradient_grey_px) {
+        return Error{"The template " + to_string(r) +
+                         " has texture in one direction only and would slide along it.",
+                     "Include a corner, an end of the edge or another mark."};
+    }
+    return Done{};
+}
+
+Eigen::Matrix2d match_covariance_px2(const Image& grey, const Image& templ, int x0, int y0,
+                                     double floor_px) {
+    const double n = static_cast<double>(templ.width()) * templ.height();
+    const double likeness = score_at(Measure::zncc, grey, templ, x0, y0);
+    double sum = 0.0;
+    double squares = 0.0;
+    Eigen::Matrix2d gradients = Eigen::Matrix2d::Zero();
+    for (int y = y0; y < y0 + templ.height(); ++y) {
+        for (int x = x0; x < x0 + templ.width(); ++x) {
+            const double value = grey.at(x, y);
+            sum += value;
+            squares += value * value;
+            const Eigen::Vector2d g(0.5 * (clamped(grey, x + 1, y) - clamped(grey, x - 1, y)),
+                                    0.5 * (clamped(grey, x, y + 1) - clamped(grey, x, y - 1)));
+            gradients += g * g.transpose();
+        }
+    }
+    const double variance = std::max(0.0, squares / n - sum * sum / (n * n));
+    const double residual = std::max(0.0, 1.0 - likeness * likeness) * variance + 1.0 / 12.0;
+    const Eigen::Matrix2d floor = floor_px * floor_px * Eigen::Matrix2d::Identity();
+    if (weaker_eigenvalue(gradients) < 1e-6 * n) {
+        return Eigen::Matrix2d::Identity() + floor;  // slides freely: known to a pixel or so
+    }
+    const double a = gradients(0, 0);
+    const double b = gradients(0, 1);
+    const double d = gradients(1, 1);
+    Eigen::Matrix2d inverse;
+    inverse << d, -b, -b, a;
+    return residual / (a * d - b * b) * inverse + floor;
+}
+
+}  // namespace kambara

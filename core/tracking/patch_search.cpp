@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/patch_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "core/matching/peak.h"
+#include "core/matching/score_map.h"
+#include "core/matching/texture.h"
+
+namespace kambara {
+namespace {
+
+constexpr double chunk_px = 6.0;  // along the curve, between two drawings of the patch
+constexpr int most_refinements = 4;
+constexpr double settled_px = 0.01;
+
+struct Found {
+    PatchMatch match;
+    Eigen::Vector2i shift;  // of the whole-pixel peak from where the patch was drawn
+};
+
+// Scores the drawn patch over shifts of up to (across, down) pixels from where it was drawn.
+std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, int across,
+                                 int down, const PatchSearchOptions& options) {
+    const Rectangle positions{drawn.top_left.x() - across, drawn.top_left.y() - down,
+                              2 * across + 1, 2 * down + 1};
+    const ScoreMap map = score_map(options.measure, grey, drawn.picture, positions);
+    const auto peak = best_peak(map, options.measure);
+    if (!peak) {
+        return std::nullopt;
+    }
+    Found found;
+    found.match.pixel = Eigen::Vector2d(peak->x, peak->y) + drawn.centre;
+    found.match.quality = quality(options.measure, peak->score, drawn.picture);
+    found.match.on_border = peak->on_border;
+    found.shift = Eigen::Vector2i(peak->whole_x, peak->whole_y) - drawn.top_left;
+    const int apart = std::max(3, std::min(drawn.picture.width(), drawn.picture.height()) / 3);
+    if (const auto next = runner_up(map, options.measure, *peak, apart)) {
+        found.match.distinctness =
+            found.match.quality - quality(options.measure, *next, drawn.picture);
+    }
+    return found;
+}
+
+// The place at the expected distance along the camera's axis that is seen at `pixel`.
+std::optional<Eigen::Vector3d> place_at(const Camera& camera, const Eigen::Vector2d& pixel,
+                                        const Eigen::Vector3d& expected_in_rig_mm) {
+    const auto ray = camera.unproject(pixel);
+    if (!ray || ray->direction.z() < 0.02) {
+        return std::nullopt;
+    }
+    return ray->at((expected_in_rig_mm.z() - ray->origin_mm.z()) / ray->direction.z());
+}
+
+// How far, across and down, to look about a sample of the curve: halfway to its neighbours, and the
+// band beside it.
+Eigen::Vector2i reach_to_neighbours(const std::vector<EpipolarSample>& curve, std::size_t i,
+                                    int band_px) {
+    Eigen::Vector2d farthest = Eigen::Vector2d::Zero();
+    for (const std::size_t j : {i - 1, i + 1}) {
+        if (j < curve.size()) {
+            const Eigen::Vector2d gap = (curve[j].right_px - curve[i].right_px).cwiseAbs();
+            farthest = farthest.cwiseMax(gap.cwiseMin(chunk_px));
+        }
+    }
+    return (0.5 * farthest).array().ceil().cast<int>() + band_px;
+}
+
+// Draws the patch where it was found until it stays there.
+void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
+            const Camera& camera, const Image& grey, const Eigen::Vector3d& expected_in_rig_mm,
+            const PatchSearchOptions& options) {
+    for (int i = 0; i < most_refinements; ++i) {
+        const auto place = place_at(camera, match.pixel, expected_in_rig_mm);
+        const auto drawn = place ? render_patch(patch, left, camera, *place) : std::nullopt;
+        const auto found = drawn ? match_drawn(*drawn, grey, 2, 2, options) : std::nullopt;
+        if (!found) {
+            return;
+        }
+        const double moved = (found->match.pixel - match.pixel).norm();
+        match.pixel = found->match.pixel;
+        match.quality = found->match.quality;
+        match.covariance_px2 =
+            match_covariance_px2(grey, drawn->picture, drawn->top_left.x() + found->shift.x(),
+                                 drawn->top_left.y() + found->shift.y(), options.floor_px);
+        if (moved < settled_px) {
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camera& left,
+                                        const Camera& camera, const Image& grey,
+                                        const Eigen::Vector3d& expected_in_rig_mm, int radius_px,
+                                        const PatchSearchOptions& options) {
+    const auto drawn = render_patch(patch, left, camera, expected_in_rig_mm);
+    if (!drawn) {
+        return std::nullopt;
+    }
+    auto found = match_drawn(*drawn, grey, radius_px, radius_px, options);
+    if (!found) {
+        return std::nullopt;
+    }
+    refine(found->match, patch, left, camera, grey, expected_in_rig_mm, options);
+    return found->match;
+}
+
+std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig& rig,
+                                          const Image& right_grey, const Eigen::Vector2d& left_px,
+                                          const RangeBounds& bounds, int band_px,
+                                          bool reference_moves, const PatchSearchOptions& options) {
+    const auto curve = epipolar_curve(rig, left_px, bounds, chunk_px);
+    std::optional<PatchMatch> best;
+    Eigen::Vector3d best_place = Eigen::Vector3d::Zero();
+    std::vector<std::pair<Eigen::Vector2d, double>> rivals;
+    ReferencePatch tried = patch;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        const EpipolarSample& sample = curve[i];
+        if (reference_moves) {
+            tried.point_in_rig_mm = sample.point_in_rig_mm;
+        }
+        const auto drawn = render_patch(tried, rig.left, *rig.right, sample.point_in_rig_mm);
+        const Eigen::Vector2i reach = reach_to_neighbours(curve, i, band_px);
+        const auto found =
+            drawn ? match_drawn(*drawn, right_grey, reach.x(), reach.y(), options) : std::nullopt;
+        if (!found) {
+            continue;
+        }
+        rivals.emplace_back(found->match.pixel, found->match.quality);
+        if (!best || found->match.quality > best->quality) {
+            best = found->match;
+            best_place = sample.point_in_rig_mm;
+        }
+    }
+    if (!best) {
+        return std::nullopt;
+    }
+    const double apart = std::max(3.0, patch.size_px.minCoeff() / 3.0);
+    best->distinctness = 1.0;
+    for (const auto& [pixel, quality] : rivals) {
+        if ((pixel - best->pixel).norm() > apart) {
+            best->distinctness = std::min(best->distinctness, best->quality - quality);
+        }
+    }
+    best->on_border = false;
+    if (reference_moves) {
+        tried.point_in_rig_mm = best_place;
+    }
+    refine(*best, tried, rig.left, *rig.right, right_grey, best_place, options);
+    return best;
+}
+
+}  // namespace kambara

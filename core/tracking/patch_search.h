@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "core/matching/measure.h"
+#include "core/tracking/epipolar_curve.h"
+#include "core/tracking/patch.h"
+
+namespace kambara {
+
+/// Where a patch was found in a picture.
+struct PatchMatch {
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< of the reference point, sub-pixel
+    Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
+    double quality = 0.0;       ///< in [0, 1]
+    double distinctness = 1.0;  ///< quality less that of the next best place; 1 if there is none
+    bool on_border = false;     ///< the best may lie outside the region searched
+};
+
+struct PatchSearchOptions {
+    Measure measure = Measure::zncc;
+    /// Standard deviation added to every match for what the patch's flatness leaves out.
+    double floor_px = 0.03;
+};
+
+/// Looks for the patch in a window of `radius_px` about where it would be seen with its reference
+/// point at `expected_in_rig_mm`, then refines: the patch is drawn again at the place found, until
+/// it no longer moves, so that the sub-pixel peak is sought around zero shift. `grey` is the
+/// picture of `camera`. The distance along the ray is kept as expected. Empty where there is no
+/// place to look at.
+std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camera& left,
+                                        const Camera& camera, const Image& grey,
+                                        const Eigen::Vector3d& expected_in_rig_mm, int radius_px,
+                                        const PatchSearchOptions& options);
+
+/// Looks for the patch in the right picture along the epipolar curve of `left_px`, in a band of
+/// `band_px` on both sides and between the bounds; the patch is drawn anew every few pixels for the
+/// distance that belongs there. Refined as above. With `reference_moves` the reference point's own
+/// distance is unknown too and taken as the one tried (a patch that was just cut).
+std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig& rig,
+                                          const Image& right_grey, const Eigen::Vector2d& left_px,
+                                          const RangeBounds& bounds, int band_px,
+                                          bool reference_moves, const PatchSearchOptions& options);
+
+}  // namespace kambara

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/stereo_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/matching/texture.h"
+
+namespace kambara {
+namespace {
+
+constexpr int frames_between_full_searches = 5;
+constexpr double preferred_by = 0.05;  // so much worse may the first template be and still decide
+
+std::string percent(double share) {
+    return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
+}
+
+}  // namespace
+
+StereoTracker::StereoTracker(Rig rig, TrackerOptions options)
+    : rig_(std::move(rig)), options_(options) {}
+
+Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectangle& rectangle) {
+    if (const auto fit = check_template(*frame.left.picture, rectangle); !fit) {
+        return fit;
+    }
+    const Eigen::Vector2d centre(rectangle.centre_x_px(), rectangle.centre_y_px());
+    const auto ray = rig_.left.unproject(centre);
+    if (!ray) {
+        return Error{"The template " + to_string(rectangle) +
+                         " lies where the left lens's calibration does not reach.",
+                     "Choose a place nearer to the middle of the picture."};
+    }
+    clear();
+    first_ = ReferencePatch{frame.left.picture, centre,
+                            Eigen::Vector2i(rectangle.width, rectangle.height),
+                            ray->at(options_.assumed_range_mm)};
+    estimate_.template_size_px = first_->size_px;
+    become(TrackState::template_set, "");
+    PatchMatch here;
+    here.pixel = centre;
+    here.quality = 1.0;
+    here.covariance_px2 =
+        options_.search.floor_px * options_.search.floor_px * Eigen::Matrix2d::Identity();
+    adopt(complete_from_left(rig_, options_, *first_, frame, {first_->point_in_rig_mm}, here),
+          frame);
+    return Done{};
+}
+
+Result<Done> StereoTracker::start() {
+    if (!first_) {
+        return Error{"There is no template to follow.", "Choose one in the left picture first."};
+    }
+    started_ = true;
+    return Done{};
+}
+
+void StereoTracker::stop() {
+    started_ = false;
+    if (first_) {
+        become(TrackState::template_set, "");
+    }
+}
+
+void StereoTracker::clear() {
+    first_.reset();
+    latest_.reset();
+    last_measured_.reset();
+    last_frame_.reset();
+    predictor_.reset();
+    range_known_ = false;
+    started_ = false;
+    frames_in_state_ = 0;
+    frames_since_update_ = 0;
+    estimate_ = {};
+}
+
+Result<Done> StereoTracker::update_template() {
+    const bool in_sight =
+        estimate_.state == TrackState::tracking || estimate_.state == TrackState::doubtful;
+    if (!in_sight || !last_measured_ || !last_frame_) {
+        return Error{"The target is not in sight, so its template can't be updated.",
+                     "Wait until it is tracked, or choose a new template."};
+    }
+    first_ = ReferencePatch{last_frame_->left.picture, last_measured_->left.pixel, first_->size_px,
+                            last_measured_->point_in_rig_mm};
+    latest_.reset();
+    ++estimate_.template_updates;
+    return Done{};
+}
+
+TrackEstimate StereoTracker::process(const StereoFrame& frame) {
+    if (!started_ || !first_) {
+        return estimate_;
+    }
+    ++frames_in_state_;
+    ++frames_since_update_;
+    const bool lost = estimate_.state == TrackState::lost;
+    const bool everywhere = lost && frames_in_state_ % frames_between_full_searches == 1;
+    const auto expected = predictor_.at(frame.left.time_ns).value_or(first_->point_in_rig_mm);
+    const auto measured = measure(frame, expected, everywhere);
+    estimate_.left_px.reset();
+    estimate_.right_px.reset();
+    estimate_.position.reset();
+    estimate_.quality = measured ? measured->left.quality : 0.0;
+    if (!measured) {
+        miss("the predicted place is outside the left picture");
+    } else if (measured->left.quality < (lost ? options_.good_quality : options_.lost_quality)) {
+        miss("the most similar place in the left picture is only " +
+             percent(measured->left.quality) + " alike");
+    } else {
+        adopt(*measured, frame);
+        judge(*measured);
+        refresh_template(*measured, frame);
+    }
+    return estimate_;
+}
+
+// With both templates, the first decides unless it fits clearly worse.
+std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame,
+                                                        const Eigen::Vector3d& expected_in_rig_mm,
+                                                        bool everywhere) const {
+    SearchScope scope{expected_in_rig_mm, range_known_, everywhere};
+    auto by_first = search_target(rig_, options_, *first_, frame, scope);
+    if (!latest_ || (by_first && by_first->quality >= options_.update_quality)) {
+        return by_first;
+    }
+    auto by_latest = search_target(rig_, options_, *latest_, frame, scope);
+    if (!by_first || !by_latest) {
+        return by_first ? by_first : by_latest;
+    }
+    return by_first->quality >= by_latest->quality - preferred_by ? by_first : by_latest;
+}
+
+void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& frame) {
+    last_measured_ = measured;
+    last_frame_ = frame;
+    estimate_.left_px = measured.left.pixel;
+    estimate_.right_px.reset();
+    if (measured.right) {
+        estimate_.right_px = measured.right->pixel;
+    }
+    estimate_.position = measured.position;
+    estimate_.quality = measured.quality;
+    estimate_.reason = measured.fault;
+    predictor_.update(frame.left.time_ns, measured.point_in_rig_mm);
+    if (measured.position && !range_known_) {
+        anchor(measured.point_in_rig_mm);
+    }
+}
+
+// From the first position on, the template's own distance is known and its size can be followed.
+void StereoTracker::anchor(const Eigen::Vector3d& point_in_rig_mm) {
+    const Eigen::Vector3d eye = rig_.left.T_camera_from_rig.centre_mm();
+    if (const auto ray = rig_.left.unproject(first_->centre_px)) {
+        first_->point_in_rig_mm = ray->at((point_in_rig_mm - eye).norm());
+        range_known_ = true;
+    }
+}
+
+void StereoTracker::judge(const TargetMeasurement& measured) {
+    if (!measured.fault.empty()) {
+        become(TrackState::doubtful, measured.fault);
+    } else if (measured.quality < options_.good_quality) {
+        become(TrackState::doubtful, "the match is only " + percent(measured.quality) + " alike");
+    } else {
+        become(TrackState::tracking, "");
+    }
+    if (estimate_.state == TrackState::doubtful && frames_in_state_ >= options_.doubtful_frames) {
+        become(TrackState::lost, "doubtful for too long: " + estimate_.reason);
+    }
+}
+
+void StereoTracker::refresh_template(const TargetMeasurement& measured, const StereoFrame& frame) {
+    const bool safe = estimate_.state == TrackState::tracking && range_known_;
+    if (options_.automatic_update && safe && measured.quality < options_.update_quality &&
+        frames_since_update_ >= options_.update_interval_frames) {
+        latest_ = ReferencePatch{frame.left.picture, measured.left.pixel, first_->size_px,
+                                 measured.point_in_rig_mm};
+        frames_since_update_ = 0;
+        ++estimate_.template_updates;
+    }
+}
+
+void StereoTracker::miss(const std::string& why) {
+    become(TrackState::lost, why);
+    if (frames_in_state_ >= options_.give_up_frames) {
+        started_ = false;
+        become(TrackState::template_set, "given up: " + why);
+    }
+}
+
+void StereoTracker::become(TrackState state, std::string reason) {
+    if (state != estimate_.state) {
+        frames_in_state_ = 0;
+        estimate_.state = state;
+    }
+    estimate_.reason = std::move(reason);
+}
+
+}  // namespace kambara

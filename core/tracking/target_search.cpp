@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/target_search.h"
+
+#include <algorithm>
+
+namespace kambara {
+namespace {
+
+std::optional<PatchMatch> find_left(const Rig& rig, const TrackerOptions& options,
+                                    const ReferencePatch& patch, const Image& grey,
+                                    const SearchScope& scope) {
+    std::optional<PatchMatch> best;
+    const auto look = [&](int radius_px) {
+        auto found = search_window(patch, rig.left, rig.left, grey, scope.expected_in_rig_mm,
+                                   radius_px, options.search);
+        if (found && (!best || found->quality > best->quality)) {
+            best = found;
+        }
+        return best && best->quality >= options.good_quality;
+    };
+    if (look(options.window_radius_px) || look(options.wide_radius_px) || !scope.everywhere) {
+        return best;
+    }
+    look(std::max(grey.width(), grey.height()));
+    return best;
+}
+
+// The distances whose right pixels lie within reach of the one expected.
+RangeBounds bounds_about(const Rig& rig, const TrackerOptions& options,
+                         const Eigen::Vector2d& left_px, double range_mm) {
+    const auto ray = rig.left.unproject(left_px);
+    constexpr double step = 1.01;
+    const auto here = ray ? rig.right->project(ray->at(range_mm)) : std::nullopt;
+    const auto nearer = ray ? rig.right->project(ray->at(range_mm / step)) : std::nullopt;
+    if (!here || !nearer) {
+        return options.range;
+    }
+    const double inverse = 1.0 / range_mm;
+    const double px_by_inverse = (*nearer - *here).norm() / (inverse * (step - 1.0));
+    if (px_by_inverse <= 0.0) {
+        return options.range;
+    }
+    const double reach = options.right_reach_px / px_by_inverse;
+    RangeBounds bounds;
+    bounds.nearest_mm = std::max(options.range.nearest_mm, 1.0 / (inverse + reach));
+    bounds.farthest_mm = std::min(options.range.farthest_mm,
+                                  1.0 / std::max(inverse - reach, 1.0 / options.range.farthest_mm));
+    return bounds;
+}
+
+std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& options,
+                                     const ReferencePatch& patch, const Image& grey,
+                                     const Eigen::Vector2d& left_px, const SearchScope& scope) {
+    std::optional<PatchMatch> best;
+    if (scope.range_known) {
+        const double range_mm =
+            (scope.expected_in_rig_mm - rig.left.T_camera_from_rig.centre_mm()).norm();
+        best = search_epipolar(patch, rig, grey, left_px,
+                               bounds_about(rig, options, left_px, range_mm), options.band_px,
+                               /*reference_moves=*/false, options.search);
+        if (best && best->quality >= options.good_quality) {
+            best->distinctness = 1.0;  // the prediction has told it from its likes
+            return best;
+        }
+    }
+    auto anywhere = search_epipolar(patch, rig, grey, left_px, options.range, options.band_px,
+                                    !scope.range_known, options.search);
+    return !best || (anywhere && anywhere->quality > best->quality) ? anywhere : best;
+}
+
+}  // namespace
+
+TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
+                                     const ReferencePatch& patch, const StereoFrame& frame,
+                                     const SearchScope& scope, const PatchMatch& left) {
+    TargetMeasurement result;
+    result.left = left;
+    result.quality = left.quality;
+    result.point_in_rig_mm = scope.expected_in_rig_mm;
+    if (const auto ray = rig.left.unproject(left.pixel)) {
+        const Eigen::Vector3d eye = rig.left.T_camera_from_rig.centre_mm();
+        result.point_in_rig_mm = ray->at((scope.expected_in_rig_mm - eye).norm());
+    }
+    if (!rig.right || !frame.right.picture) {
+        return result;  // one camera alone gives a direction, and that is no fault
+    }
+    result.right = find_right(rig, options, patch, *frame.right.picture, left.pixel, scope);
+    if (!result.right || result.right->quality < options.lost_quality) {
+        result.right.reset();
+        result.fault = "not found in the right picture";
+        return result;
+    }
+    result.quality = std::min(left.quality, result.right->quality);
+    if (result.right->distinctness < options.least_distinctness) {
+        result.fault = "the right picture holds another place that looks the same";
+        return result;
+    }
+    const auto position =
+        position_from_pair(rig, {left.pixel, left.covariance_px2},
+                           {result.right->pixel, result.right->covariance_px2}, options.position);
+    if (!position) {
+        result.fault = "no position: " + position.error().cause;
+        return result;
+    }
+    result.position = *position;
+    result.point_in_rig_mm = rig.left.T_camera_from_rig.inverse() * position->point_in_left_mm;
+    return result;
+}
+
+std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOptions& options,
+                                               const ReferencePatch& patch,
+                                               const StereoFrame& frame, const SearchScope& scope) {
+    const auto left = find_left(rig, options, patch, *frame.left.picture, scope);
+    if (!left) {
+        return std::nullopt;
+    }
+    return complete_from_left(rig, options, patch, frame, scope, *left);
+}
+
+}  // namespace kambara

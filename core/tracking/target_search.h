@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "core/camera/rig.h"
+#include "core/image/frame.h"
+#include "core/stereo/position.h"
+#include "core/tracking/patch.h"
+#include "core/tracking/patch_search.h"
+#include "core/tracking/tracker_options.h"
+
+namespace kambara {
+
+/// What one patch gave in one pair of pictures.
+struct TargetMeasurement {
+    PatchMatch left;
+    std::optional<PatchMatch> right;
+    std::optional<Position> position;
+    Eigen::Vector3d point_in_rig_mm;  ///< from the position, or at the expected distance
+    std::string fault;                ///< why there is no right match or no position
+    double quality = 0.0;             ///< the weaker of both pictures'
+};
+
+struct SearchScope {
+    Eigen::Vector3d expected_in_rig_mm;  ///< where the target is thought to be
+    /// The distance is a measured one; else it is looked for from near to far, and the patch's own
+    /// distance is taken to be the same.
+    bool range_known = false;
+    bool everywhere = false;  ///< the whole left picture, where the windows hold nothing good
+};
+
+/// Looks for a patch: left in a window about the expected place (then a wider one, then everywhere
+/// if so told), right along the epipolar curve, then the position of both. Empty where the expected
+/// place can't be seen. Any thread.
+std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOptions& options,
+                                               const ReferencePatch& patch,
+                                               const StereoFrame& frame, const SearchScope& scope);
+
+/// The second half of the above, for a left match that is known already.
+TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
+                                     const ReferencePatch& patch, const StereoFrame& frame,
+                                     const SearchScope& scope, const PatchMatch& left);
+
+}  // namespace kambara

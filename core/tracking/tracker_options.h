@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/stereo/position.h"
+#include "core/tracking/epipolar_curve.h"
+#include "core/tracking/patch_search.h"
+
+namespace kambara {
+
+struct TrackerOptions {
+    PatchSearchOptions search;
+    PositionOptions position;
+    RangeBounds range;
+    int window_radius_px = 24;         ///< left, about the predicted place
+    int wide_radius_px = 96;           ///< when the window holds nothing good
+    int band_px = 2;                   ///< right, on both sides of the epipolar curve
+    double right_reach_px = 16.0;      ///< along the curve, about the predicted place
+    double good_quality = 0.70;        ///< at least this: Tracking
+    double lost_quality = 0.50;        ///< less than this: Lost
+    double least_distinctness = 0.03;  ///< of a match found without a prediction
+    double update_quality = 0.85;      ///< a fresh template is cut when the match falls below this
+    int update_interval_frames = 5;    ///< but no more often than this
+    int doubtful_frames = 30;          ///< that many in a row: Lost
+    int give_up_frames = 1800;         ///< lost for that many: back to TemplateSet
+    /// The distance taken until the right picture has told it.
+    double assumed_range_mm = 1500.0;
+    bool automatic_update = true;
+};
+
+}  // namespace kambara
