@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/track_table.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/angles.h"
+
+namespace kambara::cli {
+namespace {
+
+std::string number(double value, const char* format) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string pair(const std::optional<Eigen::Vector2d>& pixel) {
+    return pixel ? number(pixel->x(), "%.3f") + "," + number(pixel->y(), "%.3f") : ",";
+}
+
+// A reason may hold commas and quotes.
+std::string quoted(const std::string& text) {
+    if (text.empty()) {
+        return text;
+    }
+    std::string result = "\"";
+    for (const char c : text) {
+        result += c;
+        if (c == '"') {
+            result += c;
+        }
+    }
+    return result + "\"";
+}
+
+}  // namespace
+
+std::string track_table_header() {
+    return "frame,time_s,state,left_x_px,left_y_px,right_x_px,right_y_px,quality,x_mm,y_mm,z_mm,"
+           "sigma_x_mm,sigma_y_mm,sigma_z_mm,pan_deg,tilt_deg,reason\n";
+}
+
+std::string track_table_row(const Snapshot& snapshot) {
+    const TrackEstimate estimate =
+        snapshot.tracks.empty() ? TrackEstimate{} : snapshot.tracks.front().estimate;
+    std::string row = std::to_string(snapshot.frame) + "," +
+                      number(static_cast<double>(snapshot.time_ns) * 1e-9, "%.6f") + "," +
+                      to_string(estimate.state) + "," + pair(estimate.left_px) + "," +
+                      pair(estimate.right_px) + "," + number(estimate.quality, "%.4f") + ",";
+    if (estimate.position) {
+        const Eigen::Vector3d& p = estimate.position->point_in_left_mm;
+        const Eigen::Vector3d sigma = estimate.position->covariance_mm2.diagonal().cwiseSqrt();
+        for (const double value : {p.x(), p.y(), p.z(), sigma.x(), sigma.y(), sigma.z()}) {
+            row += number(value, "%.4f") + ",";
+        }
+    } else {
+        row += ",,,,,,";
+    }
+    if (snapshot.head) {
+        row += number(deg_from_rad(snapshot.head->angles.pan_rad), "%.3f") + "," +
+               number(deg_from_rad(snapshot.head->angles.tilt_rad), "%.3f") + ",";
+    } else {
+        row += ",,";
+    }
+    return row + quoted(estimate.reason) + "\n";
+}
+
+}  // namespace kambara::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/vsystem/snapshot.h"
+
+namespace kambara::cli {
+
+/// The rows that `track` writes, one a frame (resources/README.md: track table). Positions are in
+/// the left camera's frame, of the point that was the template's centre; what is not known is left
+/// empty.
+std::string track_table_header();
+std::string track_table_row(const Snapshot& snapshot);
+
+}  // namespace kambara::cli

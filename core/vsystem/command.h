@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/angles.h"
+#include "core/base/result.h"
+#include "core/image/rectangle.h"
+
+namespace kambara {
+
+/// What can be asked of the vision system: the primitives of 1999 (SYS-1) as plain values, so that
+/// they can come over a network as well.
+
+/// Cuts a template from the left picture. `frame` names the pair in which the operator saw the
+/// target; it must be among those still remembered. Without it, the latest pair.
+struct SelectTemplate {
+    Rectangle rectangle;
+    std::optional<std::int64_t> frame;
+    bool operator==(const SelectTemplate&) const = default;
+};
+struct StartTracking {
+    bool operator==(const StartTracking&) const = default;
+};
+struct StopTracking {
+    bool operator==(const StopTracking&) const = default;
+};
+/// Makes what is tracked now the new template.
+struct UpdateTemplate {
+    bool operator==(const UpdateTemplate&) const = default;
+};
+/// Forgets the template.
+struct ClearTemplate {
+    bool operator==(const ClearTemplate&) const = default;
+};
+/// Turns the head by hand: from then on it is no longer steered, until SteerHead says so.
+struct MoveHead {
+    HeadAngles angles;
+    bool operator==(const MoveHead&) const = default;
+};
+/// Hands the head to automatic steering (true) or to the operator (false).
+struct SteerHead {
+    bool automatic = true;
+    bool operator==(const SteerHead&) const = default;
+};
+/// Takes the latest pictures as one view of the calibration target.
+struct CaptureView {
+    bool operator==(const CaptureView&) const = default;
+};
+/// Calibrates from the views captured so far; the result takes effect when it is accepted. `target`
+/// is the short form, such as chessboard:9x6:30.
+struct Calibrate {
+    std::string target;
+    bool operator==(const Calibrate&) const = default;
+};
+/// Lets the pictures flow, holds them, or takes one pair. A live source that is held loses pairs.
+struct Flow {
+    enum class Kind { run, pause, step };
+    Kind kind = Kind::run;
+    bool operator==(const Flow&) const = default;
+};
+
+using Command = std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate,
+                             ClearTemplate, MoveHead, SteerHead, CaptureView, Calibrate, Flow>;
+
+/// What a calibration came to.
+struct CalibrationOutcome {
+    std::string verdict;  ///< good, usable or refused
+    std::vector<std::string> reasons;
+    int views_used = 0;
+    double stereo_rms_px = 0.0;
+    double baseline_mm = 0.0;
+    std::string rig_text;  ///< the rig file; empty when refused
+    bool operator==(const CalibrationOutcome&) const = default;
+};
+
+using Reply = std::variant<Done, CalibrationOutcome>;
+
+}  // namespace kambara

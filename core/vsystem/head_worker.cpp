@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/vsystem/head_worker.h"
+
+#include <chrono>
+#include <utility>
+
+namespace kambara {
+namespace {
+
+constexpr std::chrono::milliseconds poll_interval{20};
+
+}  // namespace
+
+HeadWorker::HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading)
+    : head_(std::move(head)), threading_(threading), limits_(head_->limits()) {
+    if (threading_ == Threading::own_thread) {
+        thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
+    }
+}
+
+HeadWorker::~HeadWorker() = default;
+
+void HeadWorker::command(const HeadAngles& angles) {
+    if (threading_ == Threading::inline_calls) {
+        move(angles);
+        return;
+    }
+    {
+        std::lock_guard lock(mutex_);
+        waiting_ = angles;
+    }
+    commanded_.notify_one();
+}
+
+HeadWorker::Reading HeadWorker::reading() {
+    if (threading_ == Threading::inline_calls) {
+        poll();
+    }
+    std::lock_guard lock(mutex_);
+    return {status_, move_fault_.empty() ? status_fault_ : move_fault_};
+}
+
+void HeadWorker::run(std::stop_token stop) {
+    while (!stop.stop_requested()) {
+        std::optional<HeadAngles> angles;
+        {
+            std::unique_lock lock(mutex_);
+            commanded_.wait_for(lock, stop, poll_interval, [&] { return waiting_.has_value(); });
+            angles = std::exchange(waiting_, std::nullopt);
+        }
+        if (angles) {
+            move(*angles);
+        }
+        poll();
+    }
+}
+
+void HeadWorker::move(const HeadAngles& angles) {
+    const auto moved = head_->move_to(angles);
+    std::lock_guard lock(mutex_);
+    move_fault_ = moved ? std::string() : moved.error().text();
+}
+
+void HeadWorker::poll() {
+    const auto status = head_->status();
+    std::lock_guard lock(mutex_);
+    status_fault_ = status ? std::string() : status.error().text();
+    if (status) {
+        status_ = *status;
+    }
+}
+
+}  // namespace kambara

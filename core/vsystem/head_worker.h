@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "core/devices/pan_tilt_camera.h"
+
+namespace kambara {
+
+/// Talks to a head so that the pipeline need not wait for it (PTZ-2): the newest angles win, and
+/// what the head last said is there at once. Members may be called from any thread.
+class HeadWorker {
+  public:
+    enum class Threading {
+        own_thread,    ///< a live head: every call to it is made on a thread of the worker's own
+        inline_calls,  ///< with a recording or a simulation in step: calls are made in `command`
+                       ///< and `reading`, so that a run gives the same result every time
+    };
+
+    struct Reading {
+        HeadStatus status;
+        std::string fault;
+    };
+
+    HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading);
+    ~HeadWorker();
+
+    HeadLimits limits() const { return limits_; }
+    void command(const HeadAngles& angles);
+    Reading reading();
+
+  private:
+    void run(std::stop_token stop);
+    void move(const HeadAngles& angles);
+    void poll();
+
+    std::shared_ptr<PanTiltCamera> head_;
+    const Threading threading_;
+    const HeadLimits limits_;
+    std::mutex mutex_;
+    std::condition_variable_any commanded_;
+    std::optional<HeadAngles> waiting_;
+    HeadStatus status_;
+    std::string move_fault_;
+    std::string status_fault_;
+    std::jthread thread_;  // last, so that it ends before what it uses
+};
+
+}  // namespace kambara

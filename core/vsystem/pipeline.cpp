@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/vsystem/pipeline.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "core/pointing/aim.h"
+
+namespace kambara {
+namespace {
+
+constexpr std::size_t pairs_remembered = 30;
+constexpr std::int64_t second_ns = 1'000'000'000;
+constexpr int only_track_id = 1;
+
+Frame grey_frame(Frame frame) {
+    frame.picture = grey_from(frame.picture);
+    return frame;
+}
+
+}  // namespace
+
+Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSystemOptions& options,
+                   const Clock& clock, Publish publish, Announce announce)
+    : rig_(std::move(rig)),
+      options_(options),
+      clock_(clock),
+      publish_(std::move(publish)),
+      announce_(std::move(announce)),
+      tracker_(rig_, options.tracker),
+      head_(head ? std::make_unique<HeadWorker>(head, options.every_frame
+                                                          ? HeadWorker::Threading::inline_calls
+                                                          : HeadWorker::Threading::own_thread)
+                 : nullptr),
+      steering_(options.steering, head ? head->limits() : HeadLimits{}) {}
+
+void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
+    images_ = std::move(images);
+    frames_lost_ = frames_lost;
+    remembered_.push_back({grey_frame(images_.stereo.left), grey_frame(images_.stereo.right)});
+    if (remembered_.size() > pairs_remembered) {
+        remembered_.pop_front();
+    }
+    track();
+    publish();
+}
+
+void Pipeline::track() {
+    const std::int64_t started_ns = clock_.now_ns();
+    const TrackState before = tracker_.estimate().state;
+    const TrackEstimate estimate = tracker_.process(remembered_.back());
+    const bool followed = tracker_.started();
+    steer(followed ? estimate.position : std::nullopt);
+    const std::int64_t now_ns = clock_.now_ns();
+    processing_ms_ = static_cast<double>(now_ns - started_ns) * 1e-6;
+    handled_ns_.push_back(now_ns);
+    while (now_ns - handled_ns_.front() > second_ns) {
+        handled_ns_.pop_front();
+    }
+    note_state_change(before);
+}
+
+void Pipeline::note_state_change(TrackState before) {
+    const TrackEstimate& estimate = tracker_.estimate();
+    if (estimate.state == before) {
+        return;
+    }
+    const bool worse = estimate.state == TrackState::doubtful || estimate.state == TrackState::lost;
+    announce(worse ? Event::Kind::warning : Event::Kind::note,
+             to_string(before) + " -> " + to_string(estimate.state) +
+                 (estimate.reason.empty() ? "" : ": " + estimate.reason));
+}
+
+void Pipeline::announce(Event::Kind kind, std::string text) {
+    announce_({kind, images_.stereo.left.index, images_.stereo.left.time_ns, std::move(text)});
+}
+
+double Pipeline::rate_hz() const {
+    if (handled_ns_.size() < 2) {
+        return 0.0;
+    }
+    const double span_s = static_cast<double>(handled_ns_.back() - handled_ns_.front()) * 1e-9;
+    return span_s > 0.0 ? static_cast<double>(handled_ns_.size() - 1) / span_s : 0.0;
+}
+
+void Pipeline::publish() {
+    auto snapshot = std::make_shared<Snapshot>();
+    snapshot->frame = images_.stereo.left.index;
+    snapshot->time_ns = images_.stereo.left.time_ns;
+    snapshot->run = run_;
+    snapshot->failure = failure_;
+    if (tracker_.estimate().state != TrackState::idle) {
+        snapshot->tracks.push_back({only_track_id, tracker_.estimate()});
+    }
+    if (head_) {
+        const auto reading = head_->reading();
+        snapshot->head = HeadSnapshot{reading.status.angles, commanded_, reading.status.moving,
+                                      steering_.automatic(), at_limit_,  reading.fault};
+    }
+    snapshot->rate_hz = rate_hz();
+    snapshot->processing_ms = processing_ms_;
+    snapshot->frames_lost = frames_lost_;
+    snapshot->pictures = images_;
+    publish_(std::move(snapshot));
+}
+
+void Pipeline::set_run(RunState run, std::optional<Error> failure) {
+    if (run == run_) {
+        return;
+    }
+    run_ = run;
+    failure_ = std::move(failure);
+    if (run == RunState::ended) {
+        announce(Event::Kind::note, "The source has come to its end.");
+    } else if (run == RunState::failed && failure_) {
+        announce(Event::Kind::fault, failure_->text());
+    }
+    if (images_.stereo.left.picture) {
+        publish();
+    }
+}
+
+Result<Reply> Pipeline::select(const SelectTemplate& command) {
+    const std::int64_t wanted = command.frame.value_or(images_.stereo.left.index);
+    const auto seen = std::find_if(remembered_.begin(), remembered_.end(),
+                                   [&](const auto& pair) { return pair.left.index == wanted; });
+    if (seen == remembered_.end()) {
+        return Error{"Frame " + std::to_string(wanted) + " is no longer remembered.",
+                     "Choose the template in a newer picture."};
+    }
+    const TrackState before = tracker_.estimate().state;
+    if (const auto chosen = tracker_.set_template(*seen, command.rectangle); !chosen) {
+        return chosen.error();
+    }
+    note_state_change(before);
+    publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::start() {
+    if (const auto started = tracker_.start(); !started) {
+        return started.error();
+    }
+    track();  // the pair at hand is the first to be tracked
+    publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::stop() {
+    const TrackState before = tracker_.estimate().state;
+    tracker_.stop();
+    note_state_change(before);
+    publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::update_template() {
+    if (const auto updated = tracker_.update_template(); !updated) {
+        return updated.error();
+    }
+    announce(Event::Kind::note, "The template was updated by command.");
+    publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::clear() {
+    const TrackState before = tracker_.estimate().state;
+    tracker_.clear();
+    note_state_change(before);
+    publish();
+    return Reply(Done{});
+}
+
+void Pipeline::use_rig(const Rig& rig) {
+    rig_ = rig;
+    tracker_ = StereoTracker(rig_, options_.tracker);
+    announce(Event::Kind::note, "A new calibration is in use. Choose the template again.");
+    publish();
+}
+
+}  // namespace kambara

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/vsystem/head_worker.h"
+#include "core/vsystem/vision_system.h"
+
+namespace kambara {
+
+/// The state that the pipeline's thread owns: what is tracked, where the head goes, what was seen
+/// lately. Knows nothing of threads, queues and observers; VisionSystem runs it.
+class Pipeline {
+  public:
+    using Publish = std::function<void(SnapshotPtr)>;
+    using Announce = std::function<void(Event)>;
+
+    Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSystemOptions& options,
+             const Clock& clock, Publish publish, Announce announce);
+
+    /// Tracks, positions, steers and publishes a snapshot.
+    void process(ImageSet images, std::uint64_t frames_lost);
+
+    Result<Reply> select(const SelectTemplate& command);
+    Result<Reply> start();
+    Result<Reply> stop();
+    Result<Reply> update_template();
+    Result<Reply> clear();
+    Result<Reply> move_head(const MoveHead& command);
+    Result<Reply> steer_head(const SteerHead& command);
+    /// Takes a new calibration: forgets the template, which belongs to the old one.
+    void use_rig(const Rig& rig);
+
+    void set_run(RunState run, std::optional<Error> failure = std::nullopt);
+    RunState run() const { return run_; }
+    const ImageSet& images() const { return images_; }
+
+  private:
+    void track();
+    void steer(const std::optional<Position>& position);
+    void publish();
+    void announce(Event::Kind kind, std::string text);
+    void note_state_change(TrackState before);
+    double rate_hz() const;
+
+    Rig rig_;
+    const VisionSystemOptions options_;
+    const Clock& clock_;
+    Publish publish_;
+    Announce announce_;
+    StereoTracker tracker_;
+    std::unique_ptr<HeadWorker> head_;
+    Steering steering_;
+    std::optional<HeadAngles> commanded_;
+    bool at_limit_ = false;
+    ImageSet images_;
+    std::deque<StereoFrame> remembered_;  // grey, newest last
+    std::deque<std::int64_t> handled_ns_;
+    double processing_ms_ = 0.0;
+    std::uint64_t frames_lost_ = 0;
+    RunState run_ = RunState::paused;
+    std::optional<Error> failure_;
+};
+
+}  // namespace kambara

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <utility>
+
+#include "core/vsystem/frame_source.h"
+
+namespace kambara {
+namespace {
+
+class SequentialSource final : public FrameSource {
+  public:
+    explicit SequentialSource(Grabbers grabbers) : grabbers_(std::move(grabbers)) {}
+
+    Result<NextImages> next(std::stop_token stop) override {
+        auto left = grabbers_.left->grab(stop);
+        if (!left) {
+            return left.error();
+        }
+        ImageSet set;
+        if (*left) {
+            set.stereo.left = std::move(**left);
+        }
+        if (grabbers_.right) {
+            auto right = grabbers_.right->grab(stop);
+            if (!right) {
+                return right.error();
+            }
+            if (left->has_value() != right->has_value() && !stop.stop_requested()) {
+                return lengths_differ(left->has_value());
+            }
+            if (*right) {
+                set.stereo.right = std::move(**right);
+            }
+        }
+        if (!*left) {
+            return NextImages(EndOfSource{});
+        }
+        if (grabbers_.pan_tilt) {
+            auto third = grabbers_.pan_tilt->grab(stop);
+            if (!third) {
+                return third.error();
+            }
+            if (*third) {
+                set.pan_tilt = std::move(**third);
+            }
+        }
+        ++pairs_;
+        return NextImages(std::move(set));
+    }
+
+    std::uint64_t frames_lost() const override { return 0; }
+
+  private:
+    Error lengths_differ(bool left_goes_on) const {
+        const GrabberBase& shorter = left_goes_on ? *grabbers_.right : *grabbers_.left;
+        const GrabberBase& longer = left_goes_on ? *grabbers_.left : *grabbers_.right;
+        return {"The left and right recordings have different lengths: " + shorter.info().name +
+                    " ends after " + std::to_string(pairs_) + " frames, " + longer.info().name +
+                    " goes on.",
+                "Give two recordings of the same instants, or cut the longer one."};
+    }
+
+    Grabbers grabbers_;
+    std::int64_t pairs_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSource> make_sequential_source(Grabbers grabbers) {
+    return std::make_unique<SequentialSource>(std::move(grabbers));
+}
+
+}  // namespace kambara

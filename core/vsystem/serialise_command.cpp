@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <type_traits>
+
+#include "core/vsystem/json_fields.h"
+#include "core/vsystem/serialise.h"
+
+namespace kambara {
+namespace {
+
+using namespace json_fields;
+
+Json fields_of(const SelectTemplate& c) {
+    Json json{
+        {"command", "select_template"},
+        {"rectangle_px", {c.rectangle.x, c.rectangle.y, c.rectangle.width, c.rectangle.height}}};
+    if (c.frame) {
+        json["frame"] = *c.frame;
+    }
+    return json;
+}
+Json fields_of(const StartTracking&) {
+    return {{"command", "start_tracking"}};
+}
+Json fields_of(const StopTracking&) {
+    return {{"command", "stop_tracking"}};
+}
+Json fields_of(const UpdateTemplate&) {
+    return {{"command", "update_template"}};
+}
+Json fields_of(const ClearTemplate&) {
+    return {{"command", "clear_template"}};
+}
+Json fields_of(const MoveHead& c) {
+    return {
+        {"command", "move_head"}, {"pan_rad", c.angles.pan_rad}, {"tilt_rad", c.angles.tilt_rad}};
+}
+Json fields_of(const SteerHead& c) {
+    return {{"command", "steer_head"}, {"automatic", c.automatic}};
+}
+Json fields_of(const CaptureView&) {
+    return {{"command", "capture_view"}};
+}
+Json fields_of(const Calibrate& c) {
+    return {{"command", "calibrate"}, {"target", c.target}};
+}
+Json fields_of(const Flow& c) {
+    const char* kinds[] = {"run", "pause", "step"};
+    return {{"command", "flow"}, {"kind", kinds[static_cast<int>(c.kind)]}};
+}
+
+Rectangle read_rectangle(const Json& json) {
+    const Json& list = field(json, "rectangle_px");
+    if (!list.is_array() || list.size() != 4) {
+        throw Fault{"\"rectangle_px\" is not a list of 4"};
+    }
+    int numbers[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+        numbers[i] = get<int>(Json{{"n", list.at(i)}}, "n");
+    }
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+Flow read_flow(const Json& json) {
+    const auto kind = get<std::string>(json, "kind");
+    if (kind == "run") {
+        return {Flow::Kind::run};
+    }
+    if (kind == "pause") {
+        return {Flow::Kind::pause};
+    }
+    if (kind == "step") {
+        return {Flow::Kind::step};
+    }
+    throw Fault{"\"kind\" is none of run, pause, step"};
+}
+
+Command read_command(const Json& json) {
+    const auto name = get<std::string>(json, "command");
+    if (name == "select_template") {
+        SelectTemplate c{read_rectangle(json), std::nullopt};
+        if (json.contains("frame")) {
+            c.frame = get<std::int64_t>(json, "frame");
+        }
+        return c;
+    }
+    if (name == "start_tracking") {
+        return StartTracking{};
+    }
+    if (name == "stop_tracking") {
+        return StopTracking{};
+    }
+    if (name == "update_template") {
+        return UpdateTemplate{};
+    }
+    if (name == "clear_template") {
+        return ClearTemplate{};
+    }
+    if (name == "move_head") {
+        return MoveHead{{get<double>(json, "pan_rad"), get<double>(json, "tilt_rad")}};
+    }
+    if (name == "steer_head") {
+        return SteerHead{get<bool>(json, "automatic")};
+    }
+    if (name == "capture_view") {
+        return CaptureView{};
+    }
+    if (name == "calibrate") {
+        return Calibrate{get<std::string>(json, "target")};
+    }
+    if (name == "flow") {
+        return read_flow(json);
+    }
+    throw Fault{"there is no command \"" + name + "\""};
+}
+
+Reply read_reply(const Json& json) {
+    const auto kind = get<std::string>(json, "reply");
+    if (kind == "done") {
+        return Done{};
+    }
+    if (kind != "calibration") {
+        throw Fault{"there is no reply \"" + kind + "\""};
+    }
+    CalibrationOutcome outcome;
+    outcome.verdict = get<std::string>(json, "verdict");
+    const Json& reasons = field(json, "reasons");
+    if (!reasons.is_array()) {
+        throw Fault{"\"reasons\" is not a list"};
+    }
+    for (const Json& reason : reasons) {
+        outcome.reasons.push_back(get<std::string>(Json{{"reason", reason}}, "reason"));
+    }
+    outcome.views_used = get<int>(json, "views_used");
+    outcome.stereo_rms_px = get<double>(json, "stereo_rms_px");
+    outcome.baseline_mm = get<double>(json, "baseline_mm");
+    outcome.rig_text = get<std::string>(json, "rig_text");
+    return outcome;
+}
+
+}  // namespace
+
+std::string to_json(const Command& command) {
+    return text_of(std::visit([](const auto& c) { return fields_of(c); }, command));
+}
+
+std::string to_json(const Reply& reply) {
+    if (const auto* outcome = std::get_if<CalibrationOutcome>(&reply)) {
+        return text_of(Json{{"reply", "calibration"},
+                            {"verdict", outcome->verdict},
+                            {"reasons", outcome->reasons},
+                            {"views_used", outcome->views_used},
+                            {"stereo_rms_px", outcome->stereo_rms_px},
+                            {"baseline_mm", outcome->baseline_mm},
+                            {"rig_text", outcome->rig_text}});
+    }
+    return text_of(Json{{"reply", "done"}});
+}
+
+Result<Command> command_from_json(std::string_view text) {
+    return read_text(text, "command", read_command);
+}
+
+Result<Reply> reply_from_json(std::string_view text) {
+    return read_text(text, "reply", read_reply);
+}
+
+}  // namespace kambara

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iterator>
+#include <utility>
+
+#include "core/vsystem/json_fields.h"
+#include "core/vsystem/serialise.h"
+
+namespace kambara {
+namespace {
+
+using namespace json_fields;
+
+constexpr const char* run_names[] = {"paused", "running", "ended", "failed"};
+constexpr const char* event_names[] = {"note", "warning", "fault"};
+
+template <class Enum, std::size_t N>
+Enum read_name(const Json& json, const char* key, const char* const (&names)[N]) {
+    const auto name = get<std::string>(json, key);
+    for (std::size_t i = 0; i < N; ++i) {
+        if (name == names[i]) {
+            return static_cast<Enum>(i);
+        }
+    }
+    throw Fault{std::string("\"") + key + "\" is \"" + name + "\", which is not known"};
+}
+
+Json json_of(const Position& p) {
+    const Eigen::Matrix3d& c = p.covariance_mm2;
+    Eigen::Matrix<double, 6, 1> upper;
+    upper << c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2);
+    return {{"point_in_left_mm", from_vector<3>(p.point_in_left_mm)},
+            {"covariance_mm2", from_vector<6>(upper)},
+            {"residual_px", p.residual_px},
+            {"parallax_rad", p.parallax_rad}};
+}
+
+Position read_position(const Json& json) {
+    Position p;
+    p.point_in_left_mm = get_vector<3>(json, "point_in_left_mm");
+    const auto c = get_vector<6>(json, "covariance_mm2");
+    p.covariance_mm2 << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+    p.residual_px = get<double>(json, "residual_px");
+    p.parallax_rad = get<double>(json, "parallax_rad");
+    return p;
+}
+
+Json json_of(const TrackSnapshot& track) {
+    const TrackEstimate& e = track.estimate;
+    Json json{{"id", track.id},
+              {"state", to_string(e.state)},
+              {"reason", e.reason},
+              {"quality", e.quality},
+              {"template_size_px", {e.template_size_px.x(), e.template_size_px.y()}},
+              {"template_updates", e.template_updates}};
+    if (e.left_px) {
+        json["left_px"] = from_vector<2>(*e.left_px);
+    }
+    if (e.right_px) {
+        json["right_px"] = from_vector<2>(*e.right_px);
+    }
+    if (e.position) {
+        json["position"] = json_of(*e.position);
+    }
+    return json;
+}
+
+TrackSnapshot read_track(const Json& json) {
+    TrackSnapshot track;
+    track.id = get<int>(json, "id");
+    const auto state = track_state_from(get<std::string>(json, "state"));
+    if (!state) {
+        throw Fault{"\"state\" is not known"};
+    }
+    track.estimate.state = *state;
+    track.estimate.reason = get<std::string>(json, "reason");
+    track.estimate.quality = get<double>(json, "quality");
+    const auto size = get_vector<2>(json, "template_size_px");
+    if (!(size.cwiseAbs().maxCoeff() < 1e6)) {
+        throw Fault{"\"template_size_px\" is not a size"};
+    }
+    track.estimate.template_size_px = size.cast<int>();
+    track.estimate.template_updates = get<int>(json, "template_updates");
+    if (json.contains("left_px")) {
+        track.estimate.left_px = get_vector<2>(json, "left_px");
+    }
+    if (json.contains("right_px")) {
+        track.estimate.right_px = get_vector<2>(json, "right_px");
+    }
+    if (json.contains("position")) {
+        track.estimate.position = read_position(json.at("position"));
+    }
+    return track;
+}
+
+Json json_of(const HeadSnapshot& head) {
+    Json json{{"pan_rad", head.angles.pan_rad}, {"tilt_rad", head.angles.tilt_rad},
+              {"moving", head.moving},          {"automatic", head.automatic},
+              {"at_limit", head.at_limit},      {"fault", head.fault}};
+    if (head.commanded) {
+        json["commanded_pan_rad"] = head.commanded->pan_rad;
+        json["commanded_tilt_rad"] = head.commanded->tilt_rad;
+    }
+    return json;
+}
+
+HeadSnapshot read_head(const Json& json) {
+    HeadSnapshot head;
+    head.angles = {get<double>(json, "pan_rad"), get<double>(json, "tilt_rad")};
+    head.moving = get<bool>(json, "moving");
+    head.automatic = get<bool>(json, "automatic");
+    head.at_limit = get<bool>(json, "at_limit");
+    head.fault = get<std::string>(json, "fault");
+    if (json.contains("commanded_pan_rad")) {
+        head.commanded = HeadAngles{get<double>(json, "commanded_pan_rad"),
+                                    get<double>(json, "commanded_tilt_rad")};
+    }
+    return head;
+}
+
+Snapshot read_snapshot(const Json& json) {
+    Snapshot snapshot;
+    snapshot.frame = get<std::int64_t>(json, "frame");
+    snapshot.time_ns = get<std::int64_t>(json, "time_ns");
+    snapshot.run = read_name<RunState>(json, "run", run_names);
+    if (json.contains("failure")) {
+        const Json& failure = json.at("failure");
+        snapshot.failure =
+            Error{get<std::string>(failure, "cause"), get<std::string>(failure, "remedy")};
+    }
+    const Json& tracks = field(json, "tracks");
+    if (!tracks.is_array()) {
+        throw Fault{"\"tracks\" is not a list"};
+    }
+    for (const Json& track : tracks) {
+        snapshot.tracks.push_back(read_track(track));
+    }
+    if (json.contains("head")) {
+        snapshot.head = read_head(json.at("head"));
+    }
+    snapshot.rate_hz = get<double>(json, "rate_hz");
+    snapshot.processing_ms = get<double>(json, "processing_ms");
+    snapshot.frames_lost = get<std::uint64_t>(json, "frames_lost");
+    return snapshot;
+}
+
+}  // namespace
+
+std::string to_json(const Snapshot& snapshot) {
+    Json tracks = Json::array();
+    for (const TrackSnapshot& track : snapshot.tracks) {
+        tracks.push_back(json_of(track));
+    }
+    Json json{{"frame", snapshot.frame},
+              {"time_ns", snapshot.time_ns},
+              {"run", run_names[static_cast<int>(snapshot.run)]},
+              {"tracks", std::move(tracks)},
+              {"rate_hz", snapshot.rate_hz},
+              {"processing_ms", snapshot.processing_ms},
+              {"frames_lost", snapshot.frames_lost}};
+    if (snapshot.failure) {
+        json["failure"] = {{"cause", snapshot.failure->cause},
+                           {"remedy", snapshot.failure->remedy}};
+    }
+    if (snapshot.head) {
+        json["head"] = json_of(*snapshot.head);
+    }
+    return text_of(json);
+}
+
+std::string to_json(const Event& event) {
+    return text_of(Json{{"kind", event_names[static_cast<int>(event.kind)]},
+                        {"frame", event.frame},
+                        {"time_ns", event.time_ns},
+                        {"text", event.text}});
+}
+
+Result<Snapshot> snapshot_from_json(std::string_view text) {
+    return read_text(text, "snapshot", read_snapshot);
+}
+
+Result<Event> event_from_json(std::string_view text) {
+    return read_text(text, "event", [](const Json& json) {
+        return Event{read_name<Event::Kind>(json, "kind", event_names),
+                     get<std::int64_t>(json, "frame"), get<std::int64_t>(json, "time_ns"),
+                     get<std::string>(json, "text")};
+    });
+}
+
+}  // namespace kambara

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/angles.h"
+#include "core/base/error.h"
+#include "core/image/frame.h"
+#include "core/tracking/stereo_tracker.h"
+
+namespace kambara {
+
+/// The pictures of one instant. Shared, never written to again.
+struct ImageSet {
+    StereoFrame stereo;  ///< as the grabbers delivered them, colour or grey
+    Frame pan_tilt;      ///< without a picture where there is no such camera
+};
+
+/// One target in a snapshot.
+struct TrackSnapshot {
+    int id = 0;
+    TrackEstimate estimate;
+};
+
+/// The pan-tilt head in a snapshot.
+struct HeadSnapshot {
+    HeadAngles angles;                    ///< where it looks
+    std::optional<HeadAngles> commanded;  ///< where it was last told to look
+    bool moving = false;
+    bool automatic = true;  ///< steered to the target; false: by hand
+    bool at_limit = false;  ///< the target is beyond what the head can reach
+    std::string fault;      ///< the device's last complaint; empty while all is well
+    bool operator==(const HeadSnapshot&) const = default;
+};
+
+enum class RunState { paused, running, ended, failed };
+
+/// What the system knew after one pair of pictures. Immutable; readers hold it as long as they
+/// like. Everything but the pictures serialises (serialise.h).
+struct Snapshot {
+    std::int64_t frame = -1;   ///< number of the pair, counted from the source's first
+    std::int64_t time_ns = 0;  ///< when the left picture was exposed, on the source's clock
+    RunState run = RunState::paused;
+    std::optional<Error> failure;  ///< why it failed, when it did
+    std::vector<TrackSnapshot> tracks;
+    std::optional<HeadSnapshot> head;
+    double rate_hz = 0.0;           ///< pairs handled in a second, over the last one
+    double processing_ms = 0.0;     ///< time spent on this pair
+    std::uint64_t frames_lost = 0;  ///< that came while the pipeline was busy, or without a partner
+    ImageSet pictures;
+};
+
+using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+/// Something an operator should be told, once: a change of state, a fault, an end.
+struct Event {
+    enum class Kind { note, warning, fault };
+    Kind kind = Kind::note;
+    std::int64_t frame = -1;
+    std::int64_t time_ns = 0;
+    std::string text;
+    bool operator==(const Event&) const = default;
+};
+
+}  // namespace kambara

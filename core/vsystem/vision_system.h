@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/devices/pan_tilt_camera.h"
+#include "core/pointing/steering.h"
+#include "core/vsystem/frame_source.h"
+#include "core/vsystem/vsystem_interface.h"
+
+namespace kambara {
+
+/// What a vision system is put together from.
+struct VisionSystemParts {
+    Rig rig;
+    Grabbers grabbers;
+    std::shared_ptr<PanTiltCamera> head;  ///< null where there is none
+};
+
+struct VisionSystemOptions {
+    TrackerOptions tracker;
+    SteeringOptions steering;
+    /// Every frame is handled, in step with the grabbers (recordings, simulations that may run
+    /// faster than life). Otherwise the cameras are live, have threads of their own, and the newest
+    /// pair wins.
+    bool every_frame = false;
+    /// Holds after the first pair until told to run (Flow).
+    bool start_paused = false;
+};
+
+/// Opens the in-process vision system and waits for its first pair of pictures. Refuses pictures
+/// that do not fit the calibration, a source that fails at once, and a live one that stays silent
+/// for five seconds. A calibration made at another resolution of the same shape is scaled. `clock`
+/// outlives the system and times it (rate, processing time).
+///
+/// One pipeline thread owns all state. Commands wait in a queue until it is between two pairs;
+/// snapshots leave it as shared immutable values.
+///
+///              open                Flow::run                source's end
+///   (pictures) ----> paused <------------------> running ----------------> ended
+///                      |        Flow::pause         |
+///                      +------ source's fault ------+------> failed
+Result<std::unique_ptr<VsystemInterface>> open_vision_system(VisionSystemParts parts,
+                                                             const VisionSystemOptions& options,
+                                                             const Clock& clock);
+
+}  // namespace kambara
