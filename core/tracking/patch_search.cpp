@@ -17,6 +17,7 @@ namespace {
 constexpr double chunk_px = 6.0;  // along the curve, between two drawings of the patch
 constexpr int most_refinements = 4;
 constexpr double settled_px = 0.01;
+constexpr double farthest_refinement_px = 2.0;  // what wanders farther was another place
 
 struct Found {
     PatchMatch match;
@@ -37,6 +38,7 @@ std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, 
     found.match.pixel = Eigen::Vector2d(peak->x, peak->y) + drawn.centre;
     found.match.quality = quality(options.measure, peak->score, drawn.picture);
     found.match.on_border = peak->on_border;
+    found.match.size_px = {drawn.picture.width(), drawn.picture.height()};
     found.shift = Eigen::Vector2i(peak->whole_x, peak->whole_y) - drawn.top_left;
     const int apart = std::max(3, std::min(drawn.picture.width(), drawn.picture.height()) / 3);
     if (const auto next = runner_up(map, options.measure, *peak, apart)) {
@@ -74,16 +76,18 @@ Eigen::Vector2i reach_to_neighbours(const std::vector<EpipolarSample>& curve, st
 void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
             const Camera& camera, const Image& grey, const Eigen::Vector3d& expected_in_rig_mm,
             const PatchSearchOptions& options) {
+    const Eigen::Vector2d start = match.pixel;
     for (int i = 0; i < most_refinements; ++i) {
         const auto place = place_at(camera, match.pixel, expected_in_rig_mm);
         const auto drawn = place ? render_patch(patch, left, camera, *place) : std::nullopt;
         const auto found = drawn ? match_drawn(*drawn, grey, 2, 2, options) : std::nullopt;
-        if (!found) {
+        if (!found || (found->match.pixel - start).norm() > farthest_refinement_px) {
             return;
         }
         const double moved = (found->match.pixel - match.pixel).norm();
         match.pixel = found->match.pixel;
         match.quality = found->match.quality;
+        match.size_px = found->match.size_px;
         match.covariance_px2 =
             match_covariance_px2(grey, drawn->picture, drawn->top_left.x() + found->shift.x(),
                                  drawn->top_left.y() + found->shift.y(), options.floor_px);
@@ -112,19 +116,16 @@ std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camer
 }
 
 std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig& rig,
-                                          const Image& right_grey, const Eigen::Vector2d& left_px,
-                                          const RangeBounds& bounds, int band_px,
-                                          bool reference_moves, const PatchSearchOptions& options) {
-    const auto curve = epipolar_curve(rig, left_px, bounds, chunk_px);
+                                          const Image& right_grey, const RangeBounds& bounds,
+                                          int band_px, const PatchSearchOptions& options) {
+    const auto curve = epipolar_curve(rig, patch.centre_px, bounds, chunk_px);
     std::optional<PatchMatch> best;
     Eigen::Vector3d best_place = Eigen::Vector3d::Zero();
     std::vector<std::pair<Eigen::Vector2d, double>> rivals;
     ReferencePatch tried = patch;
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const EpipolarSample& sample = curve[i];
-        if (reference_moves) {
-            tried.point_in_rig_mm = sample.point_in_rig_mm;
-        }
+        tried.point_in_rig_mm = sample.point_in_rig_mm;
         const auto drawn = render_patch(tried, rig.left, *rig.right, sample.point_in_rig_mm);
         const Eigen::Vector2i reach = reach_to_neighbours(curve, i, band_px);
         const auto found =
@@ -149,9 +150,7 @@ std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig
         }
     }
     best->on_border = false;
-    if (reference_moves) {
-        tried.point_in_rig_mm = best_place;
-    }
+    tried.point_in_rig_mm = best_place;
     refine(*best, tried, rig.left, *rig.right, right_grey, best_place, options);
     return best;
 }

@@ -17,6 +17,7 @@ struct PatchMatch {
     double quality = 0.0;       ///< in [0, 1]
     double distinctness = 1.0;  ///< quality less that of the next best place; 1 if there is none
     bool on_border = false;     ///< the best may lie outside the region searched
+    Eigen::Vector2i size_px = Eigen::Vector2i::Zero();  ///< of the patch as drawn there
 };
 
 struct PatchSearchOptions {
@@ -35,13 +36,12 @@ std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camer
                                         const Eigen::Vector3d& expected_in_rig_mm, int radius_px,
                                         const PatchSearchOptions& options);
 
-/// Looks for the patch in the right picture along the epipolar curve of `left_px`, in a band of
-/// `band_px` on both sides and between the bounds; the patch is drawn anew every few pixels for the
-/// distance that belongs there. Refined as above. With `reference_moves` the reference point's own
-/// distance is unknown too and taken as the one tried (a patch that was just cut).
+/// Looks for the patch in the right picture along the epipolar curve of its centre, in a band of
+/// `band_px` on both sides and between the bounds. `patch` was cut from the left picture of the
+/// same instant: its own distance is the one tried. It is drawn anew every few pixels for the
+/// distance that belongs there, and refined as above.
 std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig& rig,
-                                          const Image& right_grey, const Eigen::Vector2d& left_px,
-                                          const RangeBounds& bounds, int band_px,
-                                          bool reference_moves, const PatchSearchOptions& options);
+                                          const Image& right_grey, const RangeBounds& bounds,
+                                          int band_px, const PatchSearchOptions& options);
 
 }  // namespace kambara

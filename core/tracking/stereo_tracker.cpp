@@ -42,10 +42,10 @@ Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectang
     PatchMatch here;
     here.pixel = centre;
     here.quality = 1.0;
+    here.size_px = first_->size_px;
     here.covariance_px2 =
         options_.search.floor_px * options_.search.floor_px * Eigen::Matrix2d::Identity();
-    adopt(complete_from_left(rig_, options_, *first_, frame, {first_->point_in_rig_mm}, here),
-          frame);
+    adopt(complete_from_left(rig_, options_, frame, {first_->point_in_rig_mm}, here), frame);
     return Done{};
 }
 

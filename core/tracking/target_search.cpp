@@ -48,31 +48,36 @@ RangeBounds bounds_about(const Rig& rig, const TrackerOptions& options,
     return bounds;
 }
 
+// The patch is cut anew from the left picture: both pictures show the same instant, so the two
+// sides differ by the change of view alone, and what the left match may be off by, the right one
+// is off by as well.
 std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& options,
-                                     const ReferencePatch& patch, const Image& grey,
-                                     const Eigen::Vector2d& left_px, const SearchScope& scope) {
+                                     const StereoFrame& frame, const PatchMatch& left,
+                                     const SearchScope& scope) {
+    const ReferencePatch patch{frame.left.picture, left.pixel, left.size_px,
+                               scope.expected_in_rig_mm};
+    const Image& grey = *frame.right.picture;
     std::optional<PatchMatch> best;
     if (scope.range_known) {
         const double range_mm =
             (scope.expected_in_rig_mm - rig.left.T_camera_from_rig.centre_mm()).norm();
-        best = search_epipolar(patch, rig, grey, left_px,
-                               bounds_about(rig, options, left_px, range_mm), options.band_px,
-                               /*reference_moves=*/false, options.search);
+        best = search_epipolar(patch, rig, grey, bounds_about(rig, options, left.pixel, range_mm),
+                               options.band_px, options.search);
         if (best && best->quality >= options.good_quality) {
             best->distinctness = 1.0;  // the prediction has told it from its likes
             return best;
         }
     }
-    auto anywhere = search_epipolar(patch, rig, grey, left_px, options.range, options.band_px,
-                                    !scope.range_known, options.search);
+    auto anywhere =
+        search_epipolar(patch, rig, grey, options.range, options.band_px, options.search);
     return !best || (anywhere && anywhere->quality > best->quality) ? anywhere : best;
 }
 
 }  // namespace
 
 TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
-                                     const ReferencePatch& patch, const StereoFrame& frame,
-                                     const SearchScope& scope, const PatchMatch& left) {
+                                     const StereoFrame& frame, const SearchScope& scope,
+                                     const PatchMatch& left) {
     TargetMeasurement result;
     result.left = left;
     result.quality = left.quality;
@@ -84,7 +89,7 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
     if (!rig.right || !frame.right.picture) {
         return result;  // one camera alone gives a direction, and that is no fault
     }
-    result.right = find_right(rig, options, patch, *frame.right.picture, left.pixel, scope);
+    result.right = find_right(rig, options, frame, left, scope);
     if (!result.right || result.right->quality < options.lost_quality) {
         result.right.reset();
         result.fault = "not found in the right picture";
@@ -114,7 +119,7 @@ std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOpti
     if (!left) {
         return std::nullopt;
     }
-    return complete_from_left(rig, options, patch, frame, scope, *left);
+    return complete_from_left(rig, options, frame, scope, *left);
 }
 
 }  // namespace kambara

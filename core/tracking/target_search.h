@@ -26,8 +26,7 @@ struct TargetMeasurement {
 
 struct SearchScope {
     Eigen::Vector3d expected_in_rig_mm;  ///< where the target is thought to be
-    /// The distance is a measured one; else it is looked for from near to far, and the patch's own
-    /// distance is taken to be the same.
+    /// The distance is a measured one; else it is looked for from near to far.
     bool range_known = false;
     bool everywhere = false;  ///< the whole left picture, where the windows hold nothing good
 };
@@ -41,7 +40,7 @@ std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOpti
 
 /// The second half of the above, for a left match that is known already.
 TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
-                                     const ReferencePatch& patch, const StereoFrame& frame,
-                                     const SearchScope& scope, const PatchMatch& left);
+                                     const StereoFrame& frame, const SearchScope& scope,
+                                     const PatchMatch& left);
 
 }  // namespace kambara

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/track_command.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/choices.h"
+#include "app/cli/terminal.h"
+#include "app/cli/track_table.h"
+#include "app/cli/truth_comparison.h"
+#include "core/base/text_file.h"
+#include "core/image/rectangle.h"
+#include "hardware/simulated/simulated_world.h"
+
+namespace kambara::cli {
+namespace {
+
+// What the run gathers, frame by frame, on the pipeline's thread.
+class TrackLog {
+  public:
+    TrackLog(std::optional<TruthComparison> truth, std::int64_t end_ns)
+        : truth_(std::move(truth)), end_ns_(end_ns) {}
+
+    void add(const Snapshot& snapshot) {
+        {
+            std::lock_guard lock(mutex_);
+            last_ = {snapshot.run, snapshot.failure, snapshot.frame};
+            if (snapshot.frame != last_row_ && !past_end(snapshot)) {
+                add_row(snapshot);
+            }
+            over_ = over_ || past_end(snapshot) || snapshot.run == RunState::ended ||
+                    snapshot.run == RunState::failed;
+        }
+        changed_.notify_all();
+    }
+
+    // Shows progress until the source is over or the operator has had enough.
+    void wait(ProgressLine& progress) {
+        std::unique_lock lock(mutex_);
+        while (!over_ && !interrupted()) {
+            changed_.wait_for(lock, std::chrono::milliseconds(200));
+            progress.show("frame " + std::to_string(last_.frame) + ", " + std::to_string(tracked_) +
+                          " of " + std::to_string(frames_) + " tracked");
+        }
+    }
+
+    std::optional<Error> failure() const {
+        std::lock_guard lock(mutex_);
+        return last_.failure;
+    }
+    std::string table() const {
+        std::lock_guard lock(mutex_);
+        return track_table_header() + rows_;
+    }
+
+    nlohmann::json report() const {
+        std::lock_guard lock(mutex_);
+        nlohmann::json json{
+            {"frames", frames_},
+            {"tracked_frames", tracked_},
+            {"tracked_fraction", frames_ > 0 ? double(tracked_) / double(frames_) : 0.0},
+            {"first_frame", first_row_},
+            {"last_frame", last_row_},
+            {"processing_ms_mean", frames_ > 0 ? processing_ms_ / double(frames_) : 0.0}};
+        if (truth_) {
+            const TruthSummary truth = truth_->summary();
+            json["truth"] = {{"tracked_fraction", truth.tracked_fraction},
+                             {"range_error_mean_pct", truth.range_error_mean_pct},
+                             {"range_error_worst_pct", truth.range_error_worst_pct},
+                             {"position_error_mean_mm", truth.position_error_mean_mm},
+                             {"head_within_1_deg_fraction", truth.head_within_1_deg_fraction},
+                             {"head_error_worst_deg", truth.head_error_worst_deg}};
+        }
+        return json;
+    }
+
+  private:
+    bool past_end(const Snapshot& snapshot) const { return snapshot.time_ns >= end_ns_; }
+
+    void add_row(const Snapshot& snapshot) {
+        if (frames_ == 0) {
+            first_row_ = snapshot.frame;
+        }
+        last_row_ = snapshot.frame;
+        ++frames_;
+        const bool tracked = !snapshot.tracks.empty() &&
+                             snapshot.tracks.front().estimate.state == TrackState::tracking;
+        tracked_ += tracked ? 1 : 0;
+        processing_ms_ += snapshot.processing_ms;
+        rows_ += track_table_row(snapshot);
+        if (truth_) {
+            truth_->add(snapshot);
+        }
+    }
+
+    struct Last {
+        RunState run = RunState::paused;
+        std::optional<Error> failure;
+        std::int64_t frame = -1;
+    };
+
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    std::optional<TruthComparison> truth_;
+    const std::int64_t end_ns_;
+    std::string rows_;
+    std::int64_t frames_ = 0;
+    std::int64_t tracked_ = 0;
+    std::int64_t first_row_ = -1;
+    std::int64_t last_row_ = -1;
+    double processing_ms_ = 0.0;
+    Last last_;
+    bool over_ = false;
+};
+
+Result<Rectangle> chosen_template(const TrackOptions& options, const Sources& sources) {
+    if (options.templ != "auto") {
+        return parse_rectangle(options.templ);
+    }
+    if (!sources.world) {
+        return Error{"Only a simulated rig can choose its template itself.",
+                     "Give --template X,Y,W,H."};
+    }
+    return sources.world->suggested_template(31);
+}
+
+// The part of the work that has no outcome of its own yet.
+Result<nlohmann::json> track(const TrackOptions& options) {
+    const auto measure = chosen_measure(options.measure, options.transform);
+    if (!measure) {
+        return measure.error();
+    }
+    if (options.record) {
+        return Error{"Recording a session is not in this version yet.", "Leave --record out."};
+    }
+    SteadyClock clock;
+    auto sources = open_sources(options.sources, clock);
+    if (!sources) {
+        return sources.error();
+    }
+    const auto rectangle = chosen_template(options, *sources);
+    if (!rectangle) {
+        return rectangle.error();
+    }
+    VisionSystemOptions system_options;
+    system_options.tracker.search.measure = *measure;
+    system_options.every_frame = sources->every_frame;
+    system_options.start_paused = true;
+    auto opened = open_vision_system(std::move(sources->parts), system_options, clock);
+    if (!opened) {
+        return opened.error();
+    }
+    VsystemInterface& system = **opened;
+    if (const auto done = system.execute(SelectTemplate{*rectangle, std::nullopt}); !done) {
+        return done.error();
+    }
+    const SnapshotPtr first = system.latest();
+    std::optional<TruthComparison> truth;
+    if (sources->world) {
+        truth.emplace(sources->world,
+                      Eigen::Vector2d(rectangle->centre_x_px(), rectangle->centre_y_px()),
+                      first->frame);
+        if (!truth->on_target()) {
+            truth.reset();
+        }
+    }
+    const double seconds = options.seconds.value_or(1e9);
+    TrackLog log(std::move(truth), first->time_ns + static_cast<std::int64_t>(seconds * 1e9));
+    const auto observation =
+        system.observe([&log](const SnapshotPtr& snapshot) { log.add(*snapshot); });
+    for (const Command& command : {Command(StartTracking{}), Command(Flow{Flow::Kind::run})}) {
+        if (const auto done = system.execute(command); !done) {
+            return done.error();
+        }
+    }
+    {
+        ProgressLine progress;
+        log.wait(progress);
+    }
+    if (const auto failure = log.failure()) {
+        return *failure;
+    }
+    if (options.csv) {
+        if (const auto written = write_text_file_atomically(*options.csv, log.table()); !written) {
+            return written.error();
+        }
+    }
+    return log.report();
+}
+
+std::string summary_of(const nlohmann::json& report, const TrackOptions& options) {
+    char line[256];
+    std::snprintf(line, sizeof line, "%lld of %lld frames tracked (%.1f %%), %.2f ms a pair.\n",
+                  report["tracked_frames"].get<long long>(), report["frames"].get<long long>(),
+                  100.0 * report["tracked_fraction"].get<double>(),
+                  report["processing_ms_mean"].get<double>());
+    std::string text = line;
+    if (report.contains("truth")) {
+        const auto& truth = report["truth"];
+        std::snprintf(line, sizeof line,
+                      "Against the truth: range error mean %.3f %%, worst %.3f %%; head within 1 "
+                      "degree for %.1f %% of the time.\n",
+                      truth["range_error_mean_pct"].get<double>(),
+                      truth["range_error_worst_pct"].get<double>(),
+                      100.0 * truth["head_within_1_deg_fraction"].get<double>());
+        text += line;
+    }
+    if (options.csv) {
+        text += "Table: " + options.csv->string() + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+Outcome run_track(const TrackOptions& options) {
+    const auto report = track(options);
+    if (!report) {
+        Outcome outcome{report.error()};
+        outcome.json = nlohmann::json{{"error", report.error().text()}}.dump(2);
+        return outcome;
+    }
+    return {std::nullopt, report->dump(2), summary_of(*report, options)};
+}
+
+}  // namespace kambara::cli
