@@ -34,9 +34,9 @@ struct Position {
 };
 
 /// The point of least reprojection error in both pictures, each weighted by its covariance
-/// (geometry: position, method 3), from the midpoint as the start. Refuses, with the reason: a pixel
-/// that no ray reaches, rays nearly parallel, a point behind a camera, a residual beyond the gate.
-/// The rig must have a right camera.
+/// (geometry: position, method 3), from the midpoint as the start. Refuses, with the reason: a
+/// pixel that no ray reaches, rays nearly parallel, a point behind a camera, a residual beyond the
+/// gate. The rig must have a right camera.
 Result<Position> position_from_pair(const Rig& rig, const PixelMeasurement& left,
                                     const PixelMeasurement& right,
                                     const PositionOptions& options = {});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace kambara {
@@ -46,6 +47,18 @@ struct Curve {
     }
 };
 
+// Leaves out samples whose neighbours are close enough without them; the ends stay.
+std::vector<EpipolarSample> thinned(const std::vector<EpipolarSample>& dense, double step_px) {
+    std::vector<EpipolarSample> kept;
+    for (std::size_t i = 0; i < dense.size(); ++i) {
+        const bool end = i == 0 || i + 1 == dense.size();
+        if (end || (dense[i + 1].right_px - kept.back().right_px).norm() > step_px) {
+            kept.push_back(dense[i]);
+        }
+    }
+    return kept;
+}
+
 }  // namespace
 
 std::vector<EpipolarSample> epipolar_curve(const Rig& rig, const Eigen::Vector2d& left_px,
@@ -70,7 +83,7 @@ std::vector<EpipolarSample> epipolar_curve(const Rig& rig, const Eigen::Vector2d
         from = to;
         first = last;
     }
-    return std::move(curve.samples);
+    return thinned(curve.samples, step_px);
 }
 
 }  // namespace kambara

@@ -95,8 +95,9 @@ void Pipeline::publish() {
     }
     if (head_) {
         const auto reading = head_->reading();
-        snapshot->head = HeadSnapshot{reading.status.angles, commanded_, reading.status.moving,
-                                      steering_.automatic(), at_limit_,  reading.fault};
+        snapshot->head =
+            HeadSnapshot{reading.status.angles, commanded_,           reading.status.moving,
+                         steering_.automatic(), steering_.at_limit(), reading.fault};
     }
     snapshot->rate_hz = rate_hz();
     snapshot->processing_ms = processing_ms_;
@@ -168,6 +169,49 @@ Result<Reply> Pipeline::clear() {
     const TrackState before = tracker_.estimate().state;
     tracker_.clear();
     note_state_change(before);
+    publish();
+    return Reply(Done{});
+}
+
+void Pipeline::steer(const std::optional<Position>& position) {
+    if (!head_ || !position || !rig_.pan_tilt) {
+        return;
+    }
+    const HeadAngles wanted = angles_towards(rig_, position->point_in_left_mm);
+    if (const auto command = steering_.command_for(wanted, commanded_)) {
+        head_->command(*command);
+        commanded_ = command;
+    }
+}
+
+Result<Reply> Pipeline::move_head(const MoveHead& command) {
+    if (!head_) {
+        return Error{"There is no pan-tilt head.", "Connect one, or name it when starting."};
+    }
+    const HeadLimits limits = head_->limits();
+    if (within_limits(command.angles, limits) != command.angles) {
+        return Error{"The head can't look there: it reaches " +
+                         std::to_string(deg_from_rad(limits.pan_rad)) +
+                         " degrees to the sides and " +
+                         std::to_string(deg_from_rad(limits.tilt_rad)) + " up and down.",
+                     "Give angles within these limits."};
+    }
+    steering_.set_automatic(false);
+    head_->command(command.angles);
+    commanded_ = command.angles;
+    publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::steer_head(const SteerHead& command) {
+    if (!head_) {
+        return Error{"There is no pan-tilt head.", "Connect one, or name it when starting."};
+    }
+    if (command.automatic && !rig_.pan_tilt) {
+        return Error{"The rig file does not say where the pan-tilt camera is.",
+                     "Calibrate it with the others, then hand over the steering."};
+    }
+    steering_.set_automatic(command.automatic);
     publish();
     return Reply(Done{});
 }

@@ -59,7 +59,6 @@ class Pipeline {
     std::unique_ptr<HeadWorker> head_;
     Steering steering_;
     std::optional<HeadAngles> commanded_;
-    bool at_limit_ = false;
     ImageSet images_;
     std::deque<StereoFrame> remembered_;  // grey, newest last
     std::deque<std::int64_t> handled_ns_;

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kambara-cli: the vision system without a screen. Reads the command line, runs one command, tells
+// how it went. Exit codes: 0 done, 1 failed or refused, 2 wrong usage.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <string>
+
+#include "app/cli/calibrate_command.h"
+#include "app/cli/convert_command.h"
+#include "app/cli/live_command.h"
+#include "app/cli/match_command.h"
+#include "app/cli/simulate_command.h"
+#include "app/cli/terminal.h"
+#include "app/cli/track_command.h"
+#include "app/cli/triangulate_command.h"
+#include "core/base/text_file.h"
+
+namespace {
+
+using namespace kambara;
+using namespace kambara::cli;
+
+constexpr int exit_failed = 1;
+constexpr int exit_usage = 2;
+
+struct Chosen {
+    std::function<Outcome()> run;
+    std::string json;  // a file, or - for standard output
+};
+
+void add_json(CLI::App& command, Chosen& chosen) {
+    command.add_option("--json", chosen.json,
+                       "Write the result as JSON to this file; - for standard output");
+}
+
+void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
+    CLI::App* c = app.add_subcommand("track", "Follow a target through stereo pictures");
+    c->add_option("--rig", o.sources.rig, "Rig file; with sim: not needed");
+    c->add_option("--left", o.sources.left, "Left pictures: a video, a pattern, or sim:PROFILE")
+        ->required();
+    c->add_option("--right", o.sources.right, "Right pictures");
+    c->add_option("--template", o.templ, "X,Y,W,H in the first frame; auto with sim:")->required();
+    c->add_option("--start", o.sources.start, "Begin at this frame; numbering stays")
+        ->check(CLI::NonNegativeNumber);
+    c->add_option("--measure", o.measure, "sad, ncc or zncc")->capture_default_str();
+    c->add_option("--transform", o.transform, "none")->capture_default_str();
+    c->add_option("--pan-tilt", o.sources.pan_tilt, "Head to steer: sim:PROFILE");
+    c->add_option("--seconds", o.seconds, "Stop after so much of the source's time")
+        ->check(CLI::PositiveNumber);
+    c->add_option("--record", o.record, "Folder to record the session in");
+    c->add_option("--csv", o.csv, "Table to write")->required();
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_track(o); }; });
+}
+
+void add_calibrate(CLI::App& app, Chosen& chosen, CalibrateOptions& o) {
+    CLI::App* c = app.add_subcommand("calibrate", "Calibrate cameras from pictures of a target");
+    c->add_option("--left", o.left, "Left pictures (pattern)")->required();
+    c->add_option("--right", o.right, "Right pictures (pattern)");
+    c->add_option("--pan-tilt", o.pan_tilt, "Pan-tilt camera's pictures (pattern)");
+    c->add_option("--target", o.target, "chessboard:9x6:30 (inner corners, square in mm)")
+        ->required();
+    c->add_option("--model", o.model, "brown or tsai")->capture_default_str();
+    c->add_option("--sensor", o.sensor, "dx,dy,Ncx,Nfx (for tsai)");
+    c->add_option("--baseline", o.baseline, "Known baseline MM,SIGMA");
+    c->add_option("--out", o.out, "Rig file to write")->required();
+    c->add_option("--report", o.report, "HTML report to write");
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_calibrate(o); }; });
+}
+
+void add_convert(CLI::App& app, Chosen& chosen, ConvertOptions& o) {
+    CLI::App* c = app.add_subcommand("convert", "Rig files from and to other programs' formats");
+    c->add_option("files", o.files,
+                  "With --from: the other program's files; with --to: a rig file, then a folder")
+        ->required();
+    c->add_option("--from", o.from, "opencv, ros, kalibr or kitti");
+    c->add_option("--to", o.to, "opencv, ros or kalibr");
+    c->add_option("--out", o.out, "Rig file to write (with --from)");
+    c->add_option("--size", o.size, "Picture size W,H where the files do not tell it");
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_convert(o); }; });
+}
+
+void add_match(CLI::App& app, Chosen& chosen, MatchOptions& o) {
+    CLI::App* c = app.add_subcommand("match", "Find a template picture in another picture");
+    c->add_option("image", o.image, "The picture")->required();
+    c->add_option("template", o.templ, "The template picture")->required();
+    c->add_option("--measure", o.measure, "sad, ncc or zncc")->capture_default_str();
+    c->add_option("--transform", o.transform, "none")->capture_default_str();
+    c->add_option("--search", o.search, "full")->capture_default_str();
+    c->add_option("--map", o.map, "Write the scores as a 32-bit float TIFF");
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_match(o); }; });
+}
+
+void add_triangulate(CLI::App& app, Chosen& chosen, TriangulateOptions& o) {
+    CLI::App* c = app.add_subcommand("triangulate", "Positions from pairs of pixels");
+    c->add_option("--rig", o.rig, "Rig file")->required();
+    c->add_option("--points", o.points, "Text file with lines: xl yl xr yr")->required();
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_triangulate(o); }; });
+}
+
+void add_simulate(CLI::App& app, Chosen& chosen, SimulateOptions& o) {
+    CLI::App* c = app.add_subcommand("simulate", "Record the simulated rig, with its truth");
+    c->add_option("--profile", o.profile, "default, chessboard or two-plane-24, with ?key=value")
+        ->capture_default_str();
+    c->add_option("--seconds", o.seconds, "How long")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    c->add_option("--out", o.out, "Folder to make")->required();
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_simulate(o); }; });
+}
+
+void add_live(CLI::App& app, Chosen& chosen, LiveOptions& o) {
+    CLI::App* c =
+        app.add_subcommand("live", "The main job on the simulated rig, live in the terminal");
+    c->add_option("--profile", o.profile, "Simulated scene")->capture_default_str();
+    c->add_option("--seconds", o.seconds, "How long; until Ctrl-C where not given")
+        ->check(CLI::PositiveNumber);
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_live(o); }; });
+}
+
+int finish(const Outcome& outcome, const std::string& json) {
+    if (json == "-") {
+        std::cout << outcome.json << '\n';
+    } else {
+        std::cout << outcome.summary;
+    }
+    std::cout.flush();
+    if (outcome.failure) {
+        std::cerr << "kambara-cli: " << outcome.failure->text() << '\n';
+    }
+    if (!json.empty() && json != "-") {
+        if (const auto written = write_text_file_atomically(json, outcome.json + "\n"); !written) {
+            std::cerr << "kambara-cli: " << written.error().text() << '\n';
+            return exit_failed;
+        }
+    }
+    return outcome.failure ? exit_failed : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Stereo vision for underwater vehicles: calibrate, track, position, point.",
+                 "kambara-cli");
+    app.require_subcommand(1);
+    Chosen chosen;
+    TrackOptions track;
+    CalibrateOptions calibrate;
+    ConvertOptions convert;
+    MatchOptions match;
+    TriangulateOptions triangulate;
+    SimulateOptions simulate;
+    LiveOptions live;
+    add_calibrate(app, chosen, calibrate);
+    add_track(app, chosen, track);
+    add_triangulate(app, chosen, triangulate);
+    add_match(app, chosen, match);
+    add_convert(app, chosen, convert);
+    add_simulate(app, chosen, simulate);
+    add_live(app, chosen, live);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const int code = app.exit(error);
+        return code == 0 ? 0 : exit_usage;
+    }
+    catch_interrupt();
+    return finish(chosen.run(), chosen.json);
+}

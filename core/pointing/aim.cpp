@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pointing/aim.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace kambara {
+namespace {
+
+Eigen::Vector3d point_at_home_frame(const Rig& rig, const Eigen::Vector3d& point_in_left_mm) {
+    const RigidTransform T_head_from_left =
+        rig.pan_tilt->T_camera_from_rig * rig.left.T_camera_from_rig.inverse();
+    return T_head_from_left * point_in_left_mm;
+}
+
+}  // namespace
+
+HeadAngles angles_towards(const Rig& rig, const Eigen::Vector3d& point_in_left_mm) {
+    const Eigen::Vector3d p = point_at_home_frame(rig, point_in_left_mm);
+    return {std::atan2(p.x(), p.z()), std::atan2(-p.y(), std::hypot(p.x(), p.z()))};
+}
+
+Eigen::Vector3d axis_at_home_frame(const HeadAngles& angles) {
+    const double level = std::cos(angles.tilt_rad);
+    return {level * std::sin(angles.pan_rad), -std::sin(angles.tilt_rad),
+            level * std::cos(angles.pan_rad)};
+}
+
+double aiming_error_rad(const Rig& rig, const HeadAngles& angles,
+                        const Eigen::Vector3d& point_in_left_mm) {
+    const Eigen::Vector3d axis = axis_at_home_frame(angles);
+    const Eigen::Vector3d wanted = point_at_home_frame(rig, point_in_left_mm);
+    return std::atan2(axis.cross(wanted).norm(), axis.dot(wanted));
+}
+
+HeadAngles within_limits(const HeadAngles& angles, const HeadLimits& limits) {
+    return {std::clamp(angles.pan_rad, -limits.pan_rad, limits.pan_rad),
+            std::clamp(angles.tilt_rad, -limits.tilt_rad, limits.tilt_rad)};
+}
+
+}  // namespace kambara

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/base/angles.h"
+#include "core/camera/rig.h"
+
+namespace kambara {
+
+/// The head's angles that put a point, given in the left camera's frame, on its optical axis:
+/// p_1 = R_1 R_0^T (p_0 - T_0) + T_1, pan = atan2(x_1, z_1), tilt = atan2(-y_1, sqrt(x_1^2 +
+/// z_1^2)) (geometry: pan-tilt mapping; 1999's equation 37, mended). The camera's centre is taken
+/// to stay where it is at home. The rig must have a pan-tilt camera.
+HeadAngles angles_towards(const Rig& rig, const Eigen::Vector3d& point_in_left_mm);
+
+/// The optical axis at the angles, a unit vector in the frame of the pan-tilt camera at home.
+Eigen::Vector3d axis_at_home_frame(const HeadAngles& angles);
+
+/// The angle between the optical axis at `angles` and the direction to the point.
+double aiming_error_rad(const Rig& rig, const HeadAngles& angles,
+                        const Eigen::Vector3d& point_in_left_mm);
+
+/// The nearest angles that the head can reach.
+HeadAngles within_limits(const HeadAngles& angles, const HeadLimits& limits);
+
+}  // namespace kambara

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pointing/steering.h"
+
+#include <cmath>
+
+#include "core/pointing/aim.h"
+
+namespace kambara {
+
+std::optional<HeadAngles> Steering::command_for(const HeadAngles& wanted,
+                                                const std::optional<HeadAngles>& last_command) {
+    if (!automatic_ || !std::isfinite(wanted.pan_rad) || !std::isfinite(wanted.tilt_rad)) {
+        return std::nullopt;
+    }
+    const HeadAngles reachable = within_limits(wanted, limits_);
+    at_limit_ = reachable != wanted;
+    if (last_command) {
+        // On the sphere a step of pan counts less the higher the head looks.
+        const double across =
+            (reachable.pan_rad - last_command->pan_rad) * std::cos(reachable.tilt_rad);
+        const double up = reachable.tilt_rad - last_command->tilt_rad;
+        if (std::hypot(across, up) < options_.dead_band_rad) {
+            return std::nullopt;
+        }
+    }
+    return reachable;
+}
+
+}  // namespace kambara
