@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hardware/simulated/scene.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "core/base/angles.h"
+
+namespace kambara {
+namespace {
+
+constexpr double seabed_below_mm = 1500.0;
+constexpr double cameras_down_rad = rad_from_deg(15.0);
+constexpr double pose_held_s = 1.0;
+constexpr float paper_grey = 215.0F;
+constexpr float mark_grey = 30.0F;
+
+// The vehicle's axes in the rig's frame.
+const Eigen::Vector3d down(0.0, std::cos(cameras_down_rad), std::sin(cameras_down_rad));
+const Eigen::Vector3d forward(0.0, -std::sin(cameras_down_rad), std::cos(cameras_down_rad));
+
+// The box in which particles drift; leaving it on one side they come in on the other.
+const Eigen::Vector3d box_from(-900.0, -600.0, 450.0);
+const Eigen::Vector3d box_size(2250.0, 1300.0, 2200.0);
+
+double wave(double time_s, double period_s, double phase) {
+    return std::sin(2.0 * std::numbers::pi * time_s / period_s + phase);
+}
+
+}  // namespace
+
+Scene::Scene(const SimulatedProfile& profile) : profile_(profile) {
+    std::mt19937 random(profile.seed * 7919U + 17U);
+    seabed_ = std::make_unique<TileTexture>(
+        TileTexture::Options{4096.0, 8.0, 24.0, 400.0, 105.0, 28.0}, random());
+    pattern_ = std::make_unique<TileTexture>(
+        TileTexture::Options{512.0, 1.0, 9.0, 80.0, 128.0, 50.0}, random());
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::normal_distribution<double> normal;
+    for (double& phase : phase_) {
+        phase = 2.0 * std::numbers::pi * unit(random);
+    }
+    for (int i = 0; i < profile.particles; ++i) {
+        const Eigen::Vector3d share(unit(random), unit(random), unit(random));
+        particles_.push_back(
+            {box_from + box_size.cwiseProduct(share),
+             Eigen::Vector3d(40.0 * normal(random), 25.0 * normal(random), 25.0 * normal(random)),
+             0.8 + 1.6 * unit(random), unit(random) < 0.7 ? 45.0 : -35.0});
+    }
+    if (profile.calibration_target) {
+        arrange_calibration_target(*profile.calibration_target);
+    } else {
+        const double s = target_half_side_mm;
+        sheets_.push_back({{-s, -s, 0.0}, {2.0 * s, 0.0, 0.0}, {0.0, 2.0 * s, 0.0}, false});
+    }
+}
+
+void Scene::arrange_calibration_target(const Target& target) {
+    for (const TargetPatch& patch : patches_of(target)) {
+        if (!patch.dark) {
+            sheets_.push_back(patch);
+            marks_.emplace_back();
+            continue;
+        }
+        // A mark belongs to the sheet in whose plane it lies.
+        for (std::size_t i = 0; i < sheets_.size(); ++i) {
+            const Eigen::Vector3d across = sheets_[i].across_mm.normalized();
+            const Eigen::Vector3d along = sheets_[i].down_mm.normalized();
+            const Eigen::Vector3d from = patch.origin_mm - sheets_[i].origin_mm;
+            const Eigen::Vector3d to = from + patch.across_mm + patch.down_mm;
+            const Eigen::Vector3d normal = across.cross(along);
+            if (std::abs(from.dot(normal)) < 1e-6 && std::abs(to.dot(normal)) < 1e-6) {
+                marks_[i].push_back(
+                    {from.dot(across), from.dot(along), to.dot(across), to.dot(along)});
+                break;
+            }
+        }
+    }
+    const auto corners = corners_in_target_mm(target);
+    for (const auto& corner : corners) {
+        middle_mm_ += corner / static_cast<double>(corners.size());
+    }
+    double radius = 0.0;
+    for (const auto& corner : corners) {
+        radius = std::max(radius, (corner - middle_mm_).norm());
+    }
+    typical_range_mm_ = std::max(500.0, 3.6 * radius);
+}
+
+float Scene::seabed_along(const Ray& ray, double spread) const {
+    const double falls = ray.direction.dot(down);
+    if (falls < 1e-3) {
+        return water_grey;
+    }
+    const double range = (seabed_below_mm - ray.origin_mm.dot(down)) / falls;
+    const Eigen::Vector3d hit = ray.at(range);
+    const double footprint = range * spread / std::sqrt(falls);
+    return hazed(seabed_->at(hit.x(), hit.dot(forward), footprint), range);
+}
+
+RigidTransform Scene::T_rig_from_target(double time_s) const {
+    if (profile_.calibration_target) {
+        // Every pose has its own random numbers, so that any one can be asked for alone.
+        const auto pose = static_cast<std::uint32_t>(std::floor(time_s / pose_held_s));
+        std::mt19937 random(profile_.seed * 31U + pose * 101U + 5U);
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        const bool book = std::holds_alternative<TwoPlaneTarget>(*profile_.calibration_target);
+        const double turn = book ? rad_from_deg(-45.0) : 0.0;  // the edge away from us
+        const double range = typical_range_mm_ * (1.0 + 0.3 * unit(random));
+        const Eigen::Vector3d place(225.0 + 0.16 * range * unit(random),
+                                    0.12 * range * unit(random), range);
+        Eigen::Matrix3d R =
+            rotation_about_y(rad_from_deg(book ? 12.0 : 32.0) * unit(random) + turn) *
+            rotation_about_x(rad_from_deg(book ? 12.0 : 28.0) * unit(random));
+        const double roll = rad_from_deg(15.0) * unit(random);
+        R = Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * R;
+        return {R, place - R * middle_mm_};
+    }
+    const Eigen::Vector3d place(225.0 + 280.0 * wave(time_s, 10.0, phase_[0]),
+                                150.0 + 120.0 * wave(time_s, 7.0, phase_[1]),
+                                1950.0 + 600.0 * wave(time_s, 16.0, phase_[2]));
+    const double wobble = rad_from_deg(3.0);
+    return {rotation_about_y(wobble * wave(time_s, 8.0, phase_[3])) *
+                rotation_about_x(wobble * wave(time_s, 11.0, phase_[4])),
+            place};
+}
+
+std::int64_t Scene::still_since(double time_s) const {
+    return profile_.calibration_target ? static_cast<std::int64_t>(std::floor(time_s / pose_held_s))
+                                       : -1;
+}
+
+float Scene::surface(std::size_t sheet, double across_mm, double down_mm) const {
+    if (marks_.empty()) {
+        return pattern_->at(across_mm, down_mm);
+    }
+    for (const Mark& mark : marks_[sheet]) {
+        if (across_mm >= mark.left && across_mm < mark.right && down_mm >= mark.top &&
+            down_mm < mark.bottom) {
+            return mark_grey;
+        }
+    }
+    return paper_grey;
+}
+
+float Scene::hazed(float grey, double range_mm) const {
+    const auto kept = static_cast<float>(std::exp(-profile_.haze_per_m * range_mm * 1e-3));
+    return water_grey + kept * (grey - water_grey);
+}
+
+Eigen::Vector3d Scene::particle_place_mm(const Particle& particle, double time_s) const {
+    Eigen::Vector3d place = particle.start_mm + time_s * particle.drift_mm_s - box_from;
+    for (int i = 0; i < 3; ++i) {
+        place[i] -= box_size[i] * std::floor(place[i] / box_size[i]);
+    }
+    return place + box_from;
+}
+
+}  // namespace kambara

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/geometry/ray.h"
+#include "core/geometry/rigid_transform.h"
+#include "hardware/simulated/simulated_profile.h"
+#include "hardware/simulated/tile_texture.h"
+
+namespace kambara {
+
+/// A speck in the water.
+struct Particle {
+    Eigen::Vector3d start_mm;
+    Eigen::Vector3d drift_mm_s;
+    double radius_mm;
+    double brightness_grey;
+};
+
+/// What there is to see, in the rig's frame: a textured seabed that lies level under a vehicle
+/// whose cameras look 15 degrees down, and in front of it either a textured square on a smooth path
+/// or a calibration target in still poses. Immutable; any thread.
+class Scene {
+  public:
+    static constexpr double target_half_side_mm = 150.0;
+    static constexpr float water_grey = 70.0F;
+
+    explicit Scene(const SimulatedProfile& profile);
+
+    /// Grey level of the seabed along a ray, haze included; `spread` is the ray's width per
+    /// distance.
+    float seabed_along(const Ray& ray_in_rig, double spread) const;
+
+    /// The pose of the thing in front of the seabed. For the moving target: its centre, x and y
+    /// along its sides. For a calibration target: its own frame W.
+    RigidTransform T_rig_from_target(double time_s) const;
+
+    /// Where a still thing last changed its pose: equal numbers mean equal pictures. -1: it moves.
+    std::int64_t still_since(double time_s) const;
+
+    /// The flat sheets of the thing in front, in its own frame.
+    const std::vector<TargetPatch>& sheets() const { return sheets_; }
+
+    /// The grey level of a point on a sheet, before haze.
+    float surface(std::size_t sheet, double across_mm, double down_mm) const;
+
+    float hazed(float grey, double range_mm) const;
+    const std::vector<Particle>& particles() const { return particles_; }
+    Eigen::Vector3d particle_place_mm(const Particle& particle, double time_s) const;
+
+  private:
+    struct Mark {
+        double left, top, right, bottom;  // in a sheet's own coordinates, mm
+    };
+
+    void arrange_calibration_target(const Target& target);
+
+    SimulatedProfile profile_;
+    std::unique_ptr<TileTexture> seabed_;
+    std::unique_ptr<TileTexture> pattern_;
+    std::vector<TargetPatch> sheets_;
+    std::vector<std::vector<Mark>> marks_;                 // dark, on each sheet
+    Eigen::Vector3d middle_mm_ = Eigen::Vector3d::Zero();  // of the calibration target
+    double typical_range_mm_ = 1000.0;
+    std::vector<Particle> particles_;
+    double phase_[5] = {};
+};
+
+}  // namespace kambara

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hardware/simulated/simulated_grabber.h"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace kambara {
+namespace {
+
+constexpr std::uint32_t first_sequence = 0xFFFFFFF0U;
+
+class SimulatedGrabber final : public GrabberBase {
+  public:
+    using Draw = std::function<Result<Image>(std::int64_t frame)>;
+
+    SimulatedGrabber(std::shared_ptr<const SimulatedWorld> world, GrabberInfo info, Draw draw,
+                     std::int64_t start, const SimulatedPace& pace)
+        : world_(std::move(world)),
+          info_(std::move(info)),
+          draw_(std::move(draw)),
+          pace_(pace),
+          next_(start) {}
+
+    Result<std::optional<Frame>> grab(std::stop_token stop) override {
+        if (pace_.clock != nullptr) {
+            const std::int64_t now_ns = pace_.clock->now_ns() - pace_.start_ns;
+            const auto newest =
+                static_cast<std::int64_t>(static_cast<double>(now_ns) * 1e-9 * info_.rate_hz);
+            next_ = std::max(next_, newest);
+        }
+        const std::int64_t frames = world_->profile().frames;
+        if (stop.stop_requested() || (frames >= 0 && next_ >= frames)) {
+            return std::optional<Frame>();
+        }
+        const std::int64_t time_ns = world_->time_ns(next_);
+        if (pace_.clock != nullptr &&
+            !pace_.clock->sleep_until_ns(pace_.start_ns + time_ns, stop)) {
+            return std::optional<Frame>();
+        }
+        if (pace_.driven) {
+            pace_.driven->set_ns(time_ns);
+        }
+        auto picture = draw_(next_);
+        if (!picture) {
+            return picture.error();
+        }
+        Frame frame;
+        frame.picture = std::make_shared<const Image>(std::move(*picture));
+        frame.time_ns = time_ns;
+        frame.index = next_;
+        frame.sequence = first_sequence + static_cast<std::uint32_t>(next_);
+        ++next_;
+        return std::optional<Frame>(std::move(frame));
+    }
+
+    GrabberInfo info() const override { return info_; }
+
+  private:
+    const std::shared_ptr<const SimulatedWorld> world_;
+    const GrabberInfo info_;
+    const Draw draw_;
+    const SimulatedPace pace_;
+    std::int64_t next_;
+};
+
+GrabberInfo info_of(const SimulatedWorld& world, const Camera& camera, const char* which,
+                    const SimulatedPace& pace) {
+    return {"sim:" + world.profile().name + " " + which, camera.width_px, camera.height_px,
+            world.profile().rate_hz, pace.clock != nullptr};
+}
+
+}  // namespace
+
+std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const SimulatedWorld> world,
+                                                    FixedCamera camera, std::int64_t start,
+                                                    const SimulatedPace& pace) {
+    const bool left = camera == FixedCamera::left;
+    const Camera& lens = left ? world->rig().left : *world->rig().right;
+    auto info = info_of(*world, lens, left ? "left" : "right", pace);
+    auto draw = [world, camera](std::int64_t frame) -> Result<Image> {
+        return world->picture(camera, frame);
+    };
+    return std::make_unique<SimulatedGrabber>(world, std::move(info), std::move(draw), start, pace);
+}
+
+std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const SimulatedWorld> world,
+                                                    std::shared_ptr<PanTiltCamera> head,
+                                                    std::int64_t start, const SimulatedPace& pace) {
+    auto info = info_of(*world, *world->rig().pan_tilt, "pan-tilt", pace);
+    auto draw = [world, head = std::move(head)](std::int64_t frame) -> Result<Image> {
+        const auto status = head->status();
+        if (!status) {
+            return status.error();
+        }
+        return world->pan_tilt_picture(frame, status->angles);
+    };
+    return std::make_unique<SimulatedGrabber>(world, std::move(info), std::move(draw), start, pace);
+}
+
+}  // namespace kambara

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/calibration/target.h"
+#include "core/camera/rig.h"
+
+namespace kambara {
+
+/// What is simulated. The same profile gives the same pictures, always.
+struct SimulatedProfile {
+    std::string name = "default";
+    std::uint32_t seed = 1;
+    Medium medium = Medium::air;  ///< which lenses the nominal rig has
+    double rate_hz = 30.0;
+    double noise_grey = 2.0;   ///< standard deviation of a pixel, grey levels
+    double haze_per_m = 0.25;  ///< light is lost as exp(-haze range)
+    int particles = 60;        ///< drifting in front of the cameras
+    std::int64_t frames = -1;  ///< the source ends after so many; -1: never
+    /// A calibration target shown in still poses, a second each, instead of the moving target.
+    std::optional<Target> calibration_target;
+};
+
+/// Reads `NAME?key=value&key=value`. Names: default (a textured target on a smooth path),
+/// chessboard (9x6:30 unless target= says otherwise), two-plane-24. Keys: seed, noise, haze,
+/// particles, frames, rate, medium (air, water), target.
+Result<SimulatedProfile> simulated_profile(std::string_view text);
+
+}  // namespace kambara

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hardware/simulated/simulated_world.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/camera/nominal_rig.h"
+
+namespace kambara {
+namespace {
+
+constexpr std::uint32_t pan_tilt_number = 1;  // cameras 0, 1, 2: left, pan-tilt, right
+
+// From home, the head pans about the camera's y axis and tilts about the x axis carried along.
+Eigen::Matrix3d R_home_from_turned(const HeadAngles& angles) {
+    return rotation_about_y(angles.pan_rad) * rotation_about_x(angles.tilt_rad);
+}
+
+}  // namespace
+
+SimulatedWorld::SimulatedWorld(const SimulatedProfile& profile)
+    : profile_(profile),
+      rig_(nominal_rig(profile.medium)),
+      scene_(profile),
+      left_(scene_, rig_.left),
+      right_(scene_, *rig_.right),
+      noise_(profile.noise_grey, profile.seed) {}
+
+std::int64_t SimulatedWorld::time_ns(std::int64_t frame) const {
+    return static_cast<std::int64_t>(
+        std::llround(static_cast<double>(frame) * 1e9 / profile_.rate_hz));
+}
+
+double SimulatedWorld::time_s(std::int64_t frame) const {
+    return static_cast<double>(frame) / profile_.rate_hz;
+}
+
+Image SimulatedWorld::picture(FixedCamera camera, std::int64_t frame) const {
+    const bool left = camera == FixedCamera::left;
+    const Camera& lens = left ? rig_.left : *rig_.right;
+    const auto grey = (left ? left_ : right_).draw(time_s(frame));
+    return noise_.digitised(grey, lens.width_px, lens.height_px, left ? 0U : 2U, frame);
+}
+
+Image SimulatedWorld::pan_tilt_picture(std::int64_t frame, const HeadAngles& angles) const {
+    Camera turned = *rig_.pan_tilt;
+    const Eigen::Matrix3d R_turned_from_home = R_home_from_turned(angles).transpose();
+    turned.T_camera_from_rig =
+        RigidTransform{R_turned_from_home, Eigen::Vector3d::Zero()} * turned.T_camera_from_rig;
+    const CameraView view(scene_, turned);
+    return noise_.digitised(view.draw(time_s(frame)), turned.width_px, turned.height_px,
+                            pan_tilt_number, frame);
+}
+
+RigidTransform SimulatedWorld::T_left_from_target(std::int64_t frame) const {
+    return rig_.left.T_camera_from_rig * scene_.T_rig_from_target(time_s(frame));
+}
+
+std::optional<Eigen::Vector2d> SimulatedWorld::target_point_under(const Eigen::Vector2d& left_px,
+                                                                  std::int64_t frame) const {
+    const auto ray = kambara::unproject(rig_.left.lens, left_px);
+    if (!ray || profile_.calibration_target) {
+        return std::nullopt;
+    }
+    const Ray in_target = T_left_from_target(frame).inverse() * *ray;
+    const Eigen::Vector3d at = in_target.at(-in_target.origin_mm.z() / in_target.direction.z());
+    if (at.head<2>().cwiseAbs().maxCoeff() > Scene::target_half_side_mm) {
+        return std::nullopt;
+    }
+    return Eigen::Vector2d(at.head<2>());
+}
+
+Eigen::Vector3d SimulatedWorld::point_in_left_mm(const Eigen::Vector2d& target_point_mm,
+                                                 std::int64_t frame) const {
+    return T_left_from_target(frame) *
+           Eigen::Vector3d(target_point_mm.x(), target_point_mm.y(), 0.0);
+}
+
+Rectangle SimulatedWorld::suggested_template(int size_px, std::int64_t frame) const {
+    const auto centre = kambara::project(rig_.left.lens, T_left_from_target(frame).t_mm);
+    const double corner = 0.5 * (size_px - 1);
+    return {static_cast<int>(std::lround(centre->x() - corner)),
+            static_cast<int>(std::lround(centre->y() - corner)), size_px, size_px};
+}
+
+}  // namespace kambara
