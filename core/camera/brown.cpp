@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera/brown.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-
-#include "core/camera/lens_functions.h"
 
 namespace kambara {
 namespace {
@@ -32,6 +29,57 @@ Radial radial_at(const std::array<double, 12>& p, double r) {
 bool grows_at(const std::array<double, 12>& p, double r) {
     const Radial radial = radial_at(p, r);
     return radial.denominator > 1e-6 && radial.slope > 1e-6;
+}
+
+struct Direction {
+    Eigen::Vector2d distorted;
+    Eigen::Matrix2d by_undistorted;
+};
+
+Direction distorted_at(const std::array<double, 12>& p, const Eigen::Vector2d& at) {
+    const double* k = p.data() + 4;
+    const double x = at.x();
+    const double y = at.y();
+    const double r2 = x * x + y * y;
+    const double inverse_d = 1.0 / (1.0 + r2 * (k[5] + r2 * (k[6] + r2 * k[7])));
+    const double factor = (1.0 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) * inverse_d;
+    const double n_by_r2 = k[0] + r2 * (2.0 * k[1] + r2 * 3.0 * k[4]);
+    const double d_by_r2 = k[5] + r2 * (2.0 * k[6] + r2 * 3.0 * k[7]);
+    const double slope = 2.0 * (n_by_r2 - factor * d_by_r2) * inverse_d;  // d factor/dx = slope x
+    Direction result;
+    result.distorted << x * factor + 2.0 * k[2] * x * y + k[3] * (r2 + 2.0 * x * x),
+        y * factor + k[2] * (r2 + 2.0 * y * y) + 2.0 * k[3] * x * y;
+    Eigen::Matrix2d& J = result.by_undistorted;
+    J(0, 0) = factor + slope * x * x + 2.0 * k[2] * y + 6.0 * k[3] * x;
+    J(0, 1) = slope * x * y + 2.0 * k[2] * x + 2.0 * k[3] * y;
+    J(1, 0) = J(0, 1);
+    J(1, 1) = factor + slope * y * y + 6.0 * k[2] * y + 2.0 * k[3] * x;
+    return result;
+}
+
+// Newton's method from `at`; empty where it does not arrive inside `max_radius`.
+std::optional<Eigen::Vector2d> undistorted_from(const std::array<double, 12>& p, double max_radius,
+                                                const Eigen::Vector2d& distorted,
+                                                Eigen::Vector2d at) {
+    for (int i = 0; i < 12; ++i) {
+        const Direction now = distorted_at(p, at);
+        const Eigen::Vector2d rest = distorted - now.distorted;
+        const Eigen::Matrix2d& J = now.by_undistorted;
+        const double determinant = J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0);
+        const Eigen::Vector2d step = Eigen::Vector2d(J(1, 1) * rest.x() - J(0, 1) * rest.y(),
+                                                     J(0, 0) * rest.y() - J(1, 0) * rest.x()) /
+                                     determinant;
+        at += step;
+        const double size = at.norm();
+        if (!(size <= 2.0 * max_radius)) {
+            return std::nullopt;
+        }
+        // What is left after a step is of the order of its square: nothing, in double precision.
+        if (step.norm() <= 1e-9 * (1.0 + size)) {
+            return determinant > 0.0 && size <= max_radius ? std::optional(at) : std::nullopt;
+        }
+    }
+    return std::nullopt;
 }
 
 // The radius whose distorted radius is `wanted`; the caller knows that r -> r factor(r) grows.
@@ -70,22 +118,7 @@ double brown_max_radius(const std::array<double, 12>& parameters) {
 
 Eigen::Matrix2d brown_jacobian(const std::array<double, 12>& parameters,
                                const Eigen::Vector2d& at) {
-    const double* k = parameters.data() + 4;
-    const double x = at.x();
-    const double y = at.y();
-    const double r2 = x * x + y * y;
-    const double n = 1.0 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]));
-    const double d = 1.0 + r2 * (k[5] + r2 * (k[6] + r2 * k[7]));
-    const double n_by_r2 = k[0] + r2 * (2.0 * k[1] + r2 * 3.0 * k[4]);
-    const double d_by_r2 = k[5] + r2 * (2.0 * k[6] + r2 * 3.0 * k[7]);
-    const double factor = n / d;
-    const double slope = 2.0 * (n_by_r2 * d - n * d_by_r2) / (d * d);  // d factor/dx = slope x
-    Eigen::Matrix2d J;
-    J(0, 0) = factor + slope * x * x + 2.0 * k[2] * y + 6.0 * k[3] * x;
-    J(0, 1) = slope * x * y + 2.0 * k[2] * x + 2.0 * k[3] * y;
-    J(1, 0) = J(0, 1);
-    J(1, 1) = factor + slope * y * y + 6.0 * k[2] * y + 2.0 * k[3] * x;
-    return J;
+    return distorted_at(parameters, at).by_undistorted;
 }
 
 std::optional<Eigen::Vector2d> brown_undistort(const std::array<double, 12>& parameters,
@@ -95,29 +128,16 @@ std::optional<Eigen::Vector2d> brown_undistort(const std::array<double, 12>& par
     if (!std::isfinite(wanted)) {
         return std::nullopt;
     }
-    Eigen::Vector2d at = distorted;
-    if (wanted > 0.0) {
-        at *= undistorted_radius(parameters, max_radius, wanted) / wanted;
+    // Ordinary lenses are solved from the distorted direction itself in a few steps; the radial
+    // solution is the start for those that bend so much that this fails.
+    if (const auto found = undistorted_from(parameters, max_radius, distorted, distorted)) {
+        return found;
     }
-    double rest_norm = 0.0;
-    for (int i = 0; i < 30; ++i) {
-        Eigen::Vector2d result;
-        brown_distort(parameters.data() + 4, at.x(), at.y(), result.data());
-        const Eigen::Vector2d rest = result - distorted;
-        rest_norm = rest.norm();
-        if (rest_norm < 1e-15 * (1.0 + wanted)) {
-            break;
-        }
-        const Eigen::Matrix2d J = brown_jacobian(parameters, at);
-        if (std::abs(J.determinant()) < 1e-12) {
-            return std::nullopt;
-        }
-        at -= J.inverse() * rest;
-    }
-    if (!(rest_norm < 1e-12 * (1.0 + wanted)) || at.norm() > max_radius) {
+    if (wanted == 0.0) {
         return std::nullopt;
     }
-    return at;
+    const double radius = undistorted_radius(parameters, max_radius, wanted);
+    return undistorted_from(parameters, max_radius, distorted, distorted * (radius / wanted));
 }
 
 }  // namespace kambara

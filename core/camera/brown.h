@@ -12,7 +12,7 @@ namespace kambara {
 double brown_max_radius(const std::array<double, 12>& parameters);
 
 /// The undistorted direction (x, y) that the distorted one comes from, within `max_radius`; empty
-/// where there is none. Newton's method on both coordinates from the radial solution.
+/// where there is none. Newton's method on both coordinates; a few steps for ordinary lenses.
 std::optional<Eigen::Vector2d> brown_undistort(const std::array<double, 12>& parameters,
                                                double max_radius, const Eigen::Vector2d& distorted);
 

@@ -8,16 +8,15 @@
 namespace kambara {
 namespace {
 
-Eigen::Vector3d point_at_home_frame(const Rig& rig, const Eigen::Vector3d& point_in_left_mm) {
-    const RigidTransform T_head_from_left =
-        rig.pan_tilt->T_camera_from_rig * rig.left.T_camera_from_rig.inverse();
-    return T_head_from_left * point_in_left_mm;
+// The head's frame is that of the pan-tilt camera at home.
+RigidTransform T_head_from_left(const Rig& rig) {
+    return rig.pan_tilt.value().T_camera_from_rig * rig.left.T_camera_from_rig.inverse();
 }
 
 }  // namespace
 
 HeadAngles angles_towards(const Rig& rig, const Eigen::Vector3d& point_in_left_mm) {
-    const Eigen::Vector3d p = point_at_home_frame(rig, point_in_left_mm);
+    const Eigen::Vector3d p = T_head_from_left(rig) * point_in_left_mm;
     return {std::atan2(p.x(), p.z()), std::atan2(-p.y(), std::hypot(p.x(), p.z()))};
 }
 
@@ -27,10 +26,14 @@ Eigen::Vector3d axis_at_home_frame(const HeadAngles& angles) {
             level * std::cos(angles.pan_rad)};
 }
 
+Eigen::Vector3d axis_in_left_frame(const Rig& rig, const HeadAngles& angles) {
+    return T_head_from_left(rig).R.transpose() * axis_at_home_frame(angles);
+}
+
 double aiming_error_rad(const Rig& rig, const HeadAngles& angles,
                         const Eigen::Vector3d& point_in_left_mm) {
     const Eigen::Vector3d axis = axis_at_home_frame(angles);
-    const Eigen::Vector3d wanted = point_at_home_frame(rig, point_in_left_mm);
+    const Eigen::Vector3d wanted = T_head_from_left(rig) * point_in_left_mm;
     return std::atan2(axis.cross(wanted).norm(), axis.dot(wanted));
 }
 

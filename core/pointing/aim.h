@@ -17,11 +17,15 @@ HeadAngles angles_towards(const Rig& rig, const Eigen::Vector3d& point_in_left_m
 /// The optical axis at the angles, a unit vector in the frame of the pan-tilt camera at home.
 Eigen::Vector3d axis_at_home_frame(const HeadAngles& angles);
 
+/// As above in the left camera's frame: the inverse of angles_towards.
+Eigen::Vector3d axis_in_left_frame(const Rig& rig, const HeadAngles& angles);
+
 /// The angle between the optical axis at `angles` and the direction to the point.
 double aiming_error_rad(const Rig& rig, const HeadAngles& angles,
                         const Eigen::Vector3d& point_in_left_mm);
 
-/// The nearest angles that the head can reach.
+/// The nearest angles that the head can reach; the same angles where it reaches them, so that a
+/// comparison tells whether they were beyond the limits.
 HeadAngles within_limits(const HeadAngles& angles, const HeadLimits& limits);
 
 }  // namespace kambara

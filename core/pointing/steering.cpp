@@ -8,7 +8,8 @@
 namespace kambara {
 
 std::optional<HeadAngles> Steering::command_for(const HeadAngles& wanted,
-                                                const std::optional<HeadAngles>& last_command) {
+                                                const std::optional<HeadAngles>& last_command,
+                                                std::optional<std::int64_t> time_ns) {
     if (!automatic_ || !std::isfinite(wanted.pan_rad) || !std::isfinite(wanted.tilt_rad)) {
         return std::nullopt;
     }
@@ -23,6 +24,11 @@ std::optional<HeadAngles> Steering::command_for(const HeadAngles& wanted,
             return std::nullopt;
         }
     }
+    if (time_ns && commanded_ns_ &&
+        static_cast<double>(*time_ns - *commanded_ns_) < options_.min_interval_s * 1e9) {
+        return std::nullopt;
+    }
+    commanded_ns_ = time_ns;
     return reachable;
 }
 

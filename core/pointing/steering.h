@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "core/base/angles.h"
@@ -10,6 +11,9 @@ namespace kambara {
 struct SteeringOptions {
     /// The head is left alone while the target is nearer to its axis than this.
     double dead_band_rad = rad_from_deg(0.15);
+    /// Commands follow each other no faster than this, so that a slow line to the head does not
+    /// fill up; 0 for as often as asked.
+    double min_interval_s = 0.0;
 };
 
 /// Decides when a head is told to move, and where to. Keeps within the limits always. Automatic
@@ -26,15 +30,18 @@ class Steering {
     bool at_limit() const { return at_limit_; }
 
     /// What to command so that the head looks along `wanted`, given what it was last told; empty
-    /// where nothing need be done.
+    /// where nothing need be done, or where `time_ns` (on any clock that never runs backwards; not
+    /// given: no interval is kept) is too soon after the last command.
     std::optional<HeadAngles> command_for(const HeadAngles& wanted,
-                                          const std::optional<HeadAngles>& last_command);
+                                          const std::optional<HeadAngles>& last_command,
+                                          std::optional<std::int64_t> time_ns = std::nullopt);
 
   private:
     SteeringOptions options_;
     HeadLimits limits_;
     bool automatic_ = true;
     bool at_limit_ = false;
+    std::optional<std::int64_t> commanded_ns_;
 };
 
 }  // namespace kambara
