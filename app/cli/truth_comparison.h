@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "core/vsystem/snapshot.h"
 
@@ -48,11 +47,16 @@ class TruthComparison {
     std::shared_ptr<const SimulatedWorld> world_;
     Eigen::Vector2d target_point_mm_ = Eigen::Vector2d::Zero();
     bool on_target_ = false;
+    std::int64_t first_time_ns_ = 0;
+    std::int64_t last_frame_ = -1;
     std::int64_t frames_ = 0;
     std::int64_t tracked_ = 0;
-    std::vector<double> range_errors_pct_;
+    double range_error_sum_pct_ = 0.0;
+    double range_error_worst_pct_ = 0.0;
     double position_error_sum_mm_ = 0.0;
-    std::vector<double> head_errors_deg_;
+    std::int64_t head_samples_ = 0;
+    std::int64_t head_within_ = 0;
+    double head_error_worst_deg_ = 0.0;
 };
 
 }  // namespace kambara::cli

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/sources.h"
+
+#include <string_view>
+#include <utility>
+
+#include "core/camera/rig_file.h"
+#include "hardware/media/open_media.h"
+#include "hardware/simulated/simulated_grabber.h"
+#include "hardware/simulated/simulated_head.h"
+#include "hardware/simulated/simulated_world.h"
+
+namespace kambara::cli {
+namespace {
+
+constexpr std::string_view simulated = "sim:";
+
+bool is_simulated(const std::string& source) {
+    return source.starts_with(simulated);
+}
+
+// A clock that begins at zero when the simulation does.
+class ClockFrom final : public Clock {
+  public:
+    ClockFrom(Clock& clock, std::int64_t start_ns) : clock_(clock), start_ns_(start_ns) {}
+    std::int64_t now_ns() const override { return clock_.now_ns() - start_ns_; }
+    bool sleep_until_ns(std::int64_t time_ns, std::stop_token stop) override {
+        return clock_.sleep_until_ns(time_ns + start_ns_, stop);
+    }
+
+  private:
+    Clock& clock_;
+    const std::int64_t start_ns_;
+};
+
+Result<Sources> open_simulation(const SourceOptions& options, Clock& clock) {
+    if (!options.right.empty() && options.right != options.left) {
+        return Error{"The left pictures come from " + options.left + ", the right ones from " +
+                         options.right + ".",
+                     "Leave --right out: the simulated rig has both."};
+    }
+    auto profile = simulated_profile(std::string_view(options.left).substr(simulated.size()));
+    if (!profile) {
+        return profile.error();
+    }
+    if (profile->frames >= 0 && options.start >= profile->frames) {
+        return Error{"Frame " + std::to_string(options.start) + " does not exist: " + options.left +
+                         " has " + std::to_string(profile->frames) + " frames.",
+                     "Start earlier."};
+    }
+    Sources sources;
+    auto world = std::make_shared<const SimulatedWorld>(*profile);
+    sources.world = world;
+    sources.every_frame = !options.live;
+    sources.parts.rig = world->rig();
+    SimulatedPace pace;
+    std::shared_ptr<const Clock> head_clock;
+    if (options.live) {
+        pace.clock = &clock;
+        pace.start_ns = clock.now_ns();
+        head_clock = std::make_shared<ClockFrom>(clock, pace.start_ns);
+    } else {
+        pace.driven = std::make_shared<ManualClock>();
+        head_clock = pace.driven;
+    }
+    const auto head = std::make_shared<SimulatedHead>(head_clock);
+    sources.parts.head = head;
+    Grabbers& grabbers = sources.parts.grabbers;
+    grabbers.left = make_simulated_grabber(world, FixedCamera::left, options.start, pace);
+    grabbers.right = make_simulated_grabber(world, FixedCamera::right, options.start, pace);
+    if (options.pan_tilt_pictures) {
+        grabbers.pan_tilt = make_simulated_grabber(world, head, options.start, pace);
+    }
+    return sources;
+}
+
+Result<Sources> open_recordings(const SourceOptions& options) {
+    const MediaOptions media{options.start, 10.0};
+    Sources sources;
+    auto left = open_media(options.left, media);
+    if (!left) {
+        return left.error();
+    }
+    sources.parts.grabbers.left = std::move(*left);
+    if (!options.right.empty()) {
+        auto right = open_media(options.right, media);
+        if (!right) {
+            return right.error();
+        }
+        sources.parts.grabbers.right = std::move(*right);
+    }
+    return sources;
+}
+
+// A simulated head beside recorded pictures: it moves by their time stamps, which it is told as
+// frames are taken.
+class TimedGrabber final : public GrabberBase {
+  public:
+    TimedGrabber(std::unique_ptr<GrabberBase> grabber, std::shared_ptr<ManualClock> time)
+        : grabber_(std::move(grabber)), time_(std::move(time)) {}
+
+    Result<std::optional<Frame>> grab(std::stop_token stop) override {
+        auto frame = grabber_->grab(stop);
+        if (frame && *frame) {
+            time_->set_ns((*frame)->time_ns);
+        }
+        return frame;
+    }
+    GrabberInfo info() const override { return grabber_->info(); }
+
+  private:
+    std::unique_ptr<GrabberBase> grabber_;
+    std::shared_ptr<ManualClock> time_;
+};
+
+Result<Done> add_head(const SourceOptions& options, Sources& sources) {
+    if (!is_simulated(options.pan_tilt)) {
+        return Error{"There is no driver for the pan-tilt head " + options.pan_tilt + ".",
+                     "Give sim:default for a simulated one, or leave it out."};
+    }
+    if (!sources.parts.rig.pan_tilt) {
+        return Error{"The rig file does not say where the pan-tilt camera is.",
+                     "Add cameras.pan_tilt to it, or leave --pan-tilt out."};
+    }
+    auto time = std::make_shared<ManualClock>();
+    sources.parts.grabbers.left =
+        std::make_unique<TimedGrabber>(std::move(sources.parts.grabbers.left), time);
+    sources.parts.head = std::make_shared<SimulatedHead>(time);
+    return Done{};
+}
+
+}  // namespace
+
+Result<Sources> open_sources(const SourceOptions& options, Clock& clock) {
+    const bool simulation = is_simulated(options.left);
+    if (!simulation && is_simulated(options.right)) {
+        return Error{"The right pictures are simulated, the left ones are not.",
+                     "Give both from the same kind of source."};
+    }
+    if (options.rig.empty() && !simulation) {
+        return Error{"There is no rig file.", "Name one with --rig."};
+    }
+    std::optional<Rig> rig;
+    if (!options.rig.empty()) {
+        auto read = read_rig_file(options.rig);
+        if (!read) {
+            return read.error();
+        }
+        rig = std::move(*read);
+    }
+    auto sources = simulation ? open_simulation(options, clock) : open_recordings(options);
+    if (!sources) {
+        return sources;
+    }
+    if (rig) {
+        sources->parts.rig = std::move(*rig);
+    }
+    if (!simulation && !options.pan_tilt.empty()) {
+        if (const auto added = add_head(options, *sources); !added) {
+            return added.error();
+        }
+    }
+    return sources;
+}
+
+}  // namespace kambara::cli

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/triangulate_command.h"
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "core/base/text_file.h"
+#include "core/camera/rig_file.h"
+#include "core/stereo/position.h"
+
+namespace kambara::cli {
+namespace {
+
+struct PixelPair {
+    Eigen::Vector2d left;
+    Eigen::Vector2d right;
+};
+
+Result<std::vector<PixelPair>> read_points(const std::filesystem::path& path) {
+    const auto text = read_text_file(path);
+    if (!text) {
+        return text.error();
+    }
+    std::vector<PixelPair> pairs;
+    std::istringstream lines(*text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        line = line.substr(0, line.find('#'));
+        for (char& c : line) {
+            c = c == ',' || c == ';' || c == '\r' ? ' ' : c;
+        }
+        if (line.find_first_not_of(" \t") == std::string::npos) {
+            continue;
+        }
+        std::istringstream words(line);
+        PixelPair pair;
+        std::string rest;
+        words >> pair.left.x() >> pair.left.y() >> pair.right.x() >> pair.right.y();
+        if (!words || (words >> rest)) {
+            return Error{"Line " + std::to_string(number) + " of " + path.string() +
+                             " does not hold four numbers.",
+                         "Write one pair of pixels a line: xl yl xr yr."};
+        }
+        pairs.push_back(pair);
+    }
+    if (pairs.empty()) {
+        return Error{path.string() + " holds no points.", "Write one pair a line: xl yl xr yr."};
+    }
+    return pairs;
+}
+
+nlohmann::json row_of(const Result<Position>& position) {
+    const char* keys[] = {"x_mm",       "y_mm",       "z_mm",       "sigma_x_mm",
+                          "sigma_y_mm", "sigma_z_mm", "residual_px"};
+    nlohmann::json row;
+    if (!position) {
+        for (const char* key : keys) {
+            row[key] = nullptr;
+        }
+        row["reason"] = position.error().cause;
+        return row;
+    }
+    const Eigen::Vector3d& p = position->point_in_left_mm;
+    const Eigen::Vector3d sigma = position->covariance_mm2.diagonal().cwiseSqrt();
+    const double values[] = {
+        p.x(), p.y(), p.z(), sigma.x(), sigma.y(), sigma.z(), position->residual_px};
+    for (std::size_t i = 0; i < std::size(keys); ++i) {
+        row[keys[i]] = values[i];
+    }
+    row["reason"] = "";
+    return row;
+}
+
+std::string line_of(const nlohmann::json& row) {
+    if (row["x_mm"].is_null()) {
+        return "no position: " + row["reason"].get<std::string>() + "\n";
+    }
+    char line[200];
+    std::snprintf(line, sizeof line, "%12.3f %12.3f %12.3f   %9.3f %9.3f %9.3f   %8.3f\n",
+                  row["x_mm"].get<double>(), row["y_mm"].get<double>(), row["z_mm"].get<double>(),
+                  row["sigma_x_mm"].get<double>(), row["sigma_y_mm"].get<double>(),
+                  row["sigma_z_mm"].get<double>(), row["residual_px"].get<double>());
+    return line;
+}
+
+}  // namespace
+
+Outcome run_triangulate(const TriangulateOptions& options) {
+    const auto failed = [](const Error& error) {
+        return Outcome{error, nlohmann::json{{"error", error.text()}}.dump(2), ""};
+    };
+    const auto rig = read_rig_file(options.rig);
+    if (!rig) {
+        return failed(rig.error());
+    }
+    if (!rig->right) {
+        return failed({"The rig file holds no right camera.", "Calibrate both cameras."});
+    }
+    const auto pairs = read_points(options.points);
+    if (!pairs) {
+        return failed(pairs.error());
+    }
+    const Eigen::Matrix2d covariance =
+        options.sigma_px * options.sigma_px * Eigen::Matrix2d::Identity();
+    nlohmann::json rows = nlohmann::json::array();
+    Outcome outcome;
+    outcome.summary =
+        "        x mm         y mm         z mm     1 sigma: x         y         z   residual px\n";
+    for (const PixelPair& pair : *pairs) {
+        rows.push_back(
+            row_of(position_from_pair(*rig, {pair.left, covariance}, {pair.right, covariance})));
+        outcome.summary += line_of(rows.back());
+    }
+    outcome.json = nlohmann::json{{"points", std::move(rows)}}.dump(2);
+    return outcome;
+}
+
+}  // namespace kambara::cli
