@@ -14,6 +14,14 @@ std::filesystem::path temporary_name_beside(const std::filesystem::path& path) {
     return path.string() + ".part" + std::to_string(counter++);
 }
 
+// False where not everything arrived.
+bool write_all(const std::filesystem::path& path, std::string_view text) {
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.flush();
+    return static_cast<bool>(file);
+}
+
 }  // namespace
 
 Result<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit_bytes) {
@@ -44,22 +52,24 @@ Result<std::string> read_text_file(const std::filesystem::path& path, std::size_
 }
 
 Result<Done> write_text_file_atomically(const std::filesystem::path& path, std::string_view text) {
+    const Error unwritable{"The file " + path.string() + " can't be written.",
+                           "Check that its folder exists, may be written to and has room."};
     std::error_code code;
-    if (std::filesystem::is_directory(path, code)) {
+    const auto status = std::filesystem::status(path, code);
+    if (std::filesystem::is_directory(status)) {
         return Error{path.string() + " is a folder.", "Name a file to write."};
     }
-    const auto temporary = temporary_name_beside(path);
-    {
-        std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-        file.write(text.data(), static_cast<std::streamsize>(text.size()));
-        file.flush();
-        if (!file) {
-            std::filesystem::remove(temporary, code);
-            return Error{"The file " + path.string() + " can't be written.",
-                         "Check that its folder exists, may be written to and has room."};
-        }
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        return write_all(path, text) ? Result<Done>(Done{}) : Result<Done>(unwritable);
     }
-    std::filesystem::rename(temporary, path, code);
+    const bool linked = std::filesystem::is_symlink(std::filesystem::symlink_status(path, code));
+    const auto target = linked ? std::filesystem::weakly_canonical(path, code) : path;
+    const auto temporary = temporary_name_beside(target);
+    if (!write_all(temporary, text)) {
+        std::filesystem::remove(temporary, code);
+        return unwritable;
+    }
+    std::filesystem::rename(temporary, target, code);
     if (code) {
         const auto reason = code.message();
         std::filesystem::remove(temporary, code);

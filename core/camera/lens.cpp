@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera/lens.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/angles.h"
 #include "core/camera/brown.h"
 #include "core/camera/lens_functions.h"
 
@@ -179,7 +181,8 @@ std::string implausibility(const Lens& lens, int width_px, int height_px) {
                                        {0.25 * width_px, 0.75 * height_px},
                                        {0.75 * width_px, 0.75 * height_px}};
     for (const auto& corner : corners) {
-        if (!unproject(lens, corner)) {
+        const auto ray = unproject(lens, corner);
+        if (!ray || ray->direction.z() < std::cos(rad_from_deg(85.0))) {
             return "the distortion is so strong that not even the middle of the picture can be "
                    "undistorted";
         }

@@ -52,6 +52,9 @@ std::vector<double> numbers(const YAML::Node& node, const std::string& key) {
 }
 
 std::string text_or_empty(const YAML::Node& node, const char* key) {
+    if (!node.IsMap()) {
+        return {};
+    }
     const YAML::Node found = node[key];
     return found && found.IsScalar() ? found.Scalar() : std::string();
 }
