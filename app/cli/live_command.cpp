@@ -115,13 +115,13 @@ Result<Outcome> live(const LiveOptions& options) {
     if (const auto done = system.execute(SelectTemplate{rectangle, frame}); !done) {
         return done.error();
     }
+    if (const auto done = system.execute(StartTracking{}); !done) {
+        return done.error();
+    }
     LatestValue<Shown> newest;
     const auto observation = system.observe([&](const SnapshotPtr& snapshot) {
         newest.put({snapshot, truth.add(*snapshot)});
     });
-    if (const auto done = system.execute(StartTracking{}); !done) {
-        return done.error();
-    }
     show_until_over(newest, options.seconds);
     if (const auto done = system.execute(Flow{Flow::Kind::pause}); !done) {
         return done.error();

@@ -11,10 +11,10 @@ namespace kambara::cli {
 /// What a command comes to. The program prints `failure` on standard error and exits with 1; it
 /// writes `json` where --json asks for it, also when the command failed.
 struct Outcome {
-    std::optional<Error> failure;
+    std::optional<Error> failure = {};
     std::string json = "{}";
     /// For people, on standard output; not printed when the JSON goes there.
-    std::string summary;
+    std::string summary = {};
 };
 
 }  // namespace kambara::cli

@@ -186,7 +186,10 @@ class VisionSystem final : public VsystemInterface {
             Result<Reply> operator()(const CaptureView&) {
                 return self.views_.capture(self.pipeline_.images());
             }
-            Result<Reply> operator()(const Calibrate&) { return self.take_calibration(); }
+            Result<Reply> operator()(const Calibrate&) {
+                self.take_over();
+                return Reply(Done{});
+            }
             Result<Reply> operator()(const Flow& c) { return self.flow(c); }
         };
         return std::visit(Visitor{*this}, command);
@@ -204,7 +207,7 @@ class VisionSystem final : public VsystemInterface {
             calibrated_ = outcome->first;
         }
         if (std::this_thread::get_id() == thread_.get_id()) {
-            take_calibration();
+            take_over();
             return Reply(outcome->second);
         }
         std::future<Result<Reply>> taken;
@@ -220,7 +223,7 @@ class VisionSystem final : public VsystemInterface {
         return Reply(outcome->second);
     }
 
-    Result<Reply> take_calibration() {
+    void take_over() {
         std::optional<Rig> rig;
         {
             std::lock_guard lock(mutex_);
@@ -232,7 +235,6 @@ class VisionSystem final : public VsystemInterface {
         if (rig) {
             pipeline_.use_rig(*rig);
         }
-        return Reply(Done{});
     }
 
     ObserverList<SnapshotPtr> snapshots_;
