@@ -26,21 +26,27 @@ CameraView::CameraView(const Scene& scene, const Camera& camera) : scene_(scene)
                     : Eigen::Vector2f(no_ray, no_ray));
         }
     }
-    const RigidTransform T_rig_from_camera = camera.T_camera_from_rig.inverse();
-    const double spread = 1.0 / pinhole_parameters(camera.lens).fx_px / samples_across;
-    seabed_.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
+}
+
+void CameraView::draw_seabed(std::vector<float>& grey, const RigidTransform& T_camera_from_rig,
+                             int samples) const {
+    const RigidTransform T_rig_from_camera = T_camera_from_rig.inverse();
+    const double spread = 1.0 / pinhole_parameters(camera_.lens).fx_px / samples;
+    grey.clear();
+    grey.reserve(static_cast<std::size_t>(camera_.width_px) *
+                 static_cast<std::size_t>(camera_.height_px));
+    for (int y = 0; y < camera_.height_px; ++y) {
+        for (int x = 0; x < camera_.width_px; ++x) {
             float sum = 0.0F;
-            for (int i = 0; i < samples_across * samples_across; ++i) {
-                const double dx = (i % samples_across + 0.5) / samples_across - 0.5;
-                const double dy = (i / samples_across + 0.5) / samples_across - 0.5;
+            for (int i = 0; i < samples * samples; ++i) {
+                const double dx = (i % samples + 0.5) / samples - 0.5;
+                const double dy = (i / samples + 0.5) / samples - 0.5;
                 const Eigen::Vector2f slope = slope_at(x + dx, y + dy);
                 const Eigen::Vector3d direction =
                     Eigen::Vector3d(slope.x(), slope.y(), 1.0).normalized();
-                sum += scene.seabed_along(T_rig_from_camera * Ray{{0, 0, 0}, direction}, spread);
+                sum += scene_.seabed_along(T_rig_from_camera * Ray{{0, 0, 0}, direction}, spread);
             }
-            seabed_.push_back(sum / (samples_across * samples_across));
+            grey.push_back(sum / static_cast<float>(samples * samples));
         }
     }
 }
@@ -59,11 +65,13 @@ Eigen::Vector2f CameraView::slope_at(double x, double y) const {
 }
 
 std::vector<float> CameraView::draw(double time_s) const {
+    std::call_once(seabed_once_,
+                   [&] { draw_seabed(seabed_, camera_.T_camera_from_rig, samples_across); });
     std::vector<float> grey;
     const std::int64_t since = scene_.still_since(time_s);
     if (since < 0) {
         grey = seabed_;
-        draw_target(grey, scene_.T_rig_from_target(time_s));
+        draw_target(grey, camera_.T_camera_from_rig * scene_.T_rig_from_target(time_s));
     } else {
         std::shared_ptr<const std::vector<float>> still;
         {
@@ -72,7 +80,7 @@ std::vector<float> CameraView::draw(double time_s) const {
         }
         if (!still) {
             grey = seabed_;
-            draw_target(grey, scene_.T_rig_from_target(time_s));
+            draw_target(grey, camera_.T_camera_from_rig * scene_.T_rig_from_target(time_s));
             still = std::make_shared<const std::vector<float>>(grey);
             std::lock_guard lock(mutex_);
             still_ = still;
@@ -81,13 +89,21 @@ std::vector<float> CameraView::draw(double time_s) const {
             grey = *still;
         }
     }
-    draw_particles(grey, time_s);
+    draw_particles(grey, time_s, camera_.T_camera_from_rig);
+    return grey;
+}
+
+std::vector<float> CameraView::draw_turned(double time_s,
+                                           const RigidTransform& T_camera_from_rig) const {
+    std::vector<float> grey;
+    draw_seabed(grey, T_camera_from_rig, 1);
+    draw_target(grey, T_camera_from_rig * scene_.T_rig_from_target(time_s));
+    draw_particles(grey, time_s, T_camera_from_rig);
     return grey;
 }
 
 void CameraView::draw_target(std::vector<float>& grey,
-                             const RigidTransform& T_rig_from_target) const {
-    const RigidTransform T_camera_from_target = camera_.T_camera_from_rig * T_rig_from_target;
+                             const RigidTransform& T_camera_from_target) const {
     std::vector<TargetPatch> sheets = scene_.sheets();
     for (TargetPatch& sheet : sheets) {
         sheet.origin_mm = T_camera_from_target * sheet.origin_mm;
@@ -184,11 +200,12 @@ void CameraView::draw_box(std::vector<float>& grey, const Box& box,
     }
 }
 
-void CameraView::draw_particles(std::vector<float>& grey, double time_s) const {
+void CameraView::draw_particles(std::vector<float>& grey, double time_s,
+                                const RigidTransform& T_camera_from_rig) const {
     const double f_px = pinhole_parameters(camera_.lens).fx_px;
     for (const Particle& particle : scene_.particles()) {
         const Eigen::Vector3d place =
-            camera_.T_camera_from_rig * scene_.particle_place_mm(particle, time_s);
+            T_camera_from_rig * scene_.particle_place_mm(particle, time_s);
         const auto pixel = kambara::project(camera_.lens, place);
         if (!pixel || place.z() < 100.0) {
             continue;

@@ -12,15 +12,19 @@
 
 namespace kambara {
 
-/// Draws a scene as a fixed camera sees it, by casting rays through its exact lens model: every
-/// pixel's ray is exact, those of its sixteen samples lie between the exact ones. The seabed is
-/// drawn once; a still target once a pose. Any thread.
+/// Draws a scene as a camera of the rig sees it, by casting rays through its exact lens model:
+/// every pixel's ray is exact, those of its sixteen samples lie between the exact ones. The seabed
+/// is drawn once; a still target once a pose. Any thread.
 class CameraView {
   public:
     CameraView(const Scene& scene, const Camera& camera);
 
-    /// The picture before noise, in grey levels, row by row.
+    /// The picture before noise, in grey levels, row by row, from where the camera is fixed.
     std::vector<float> draw(double time_s) const;
+
+    /// As above with the camera turned: nothing of it can be kept from the last picture, so the
+    /// seabed gets one sample a pixel, of the pixel's width.
+    std::vector<float> draw_turned(double time_s, const RigidTransform& T_camera_from_rig) const;
 
   private:
     struct Box {
@@ -28,16 +32,20 @@ class CameraView {
     };
 
     Eigen::Vector2f slope_at(double x, double y) const;
-    void draw_target(std::vector<float>& grey, const RigidTransform& T_rig_from_target) const;
+    void draw_seabed(std::vector<float>& grey, const RigidTransform& T_camera_from_rig,
+                     int samples) const;
+    void draw_target(std::vector<float>& grey, const RigidTransform& T_camera_from_target) const;
     void draw_box(std::vector<float>& grey, const Box& box,
                   const std::vector<TargetPatch>& sheets_in_camera) const;
-    void draw_particles(std::vector<float>& grey, double time_s) const;
+    void draw_particles(std::vector<float>& grey, double time_s,
+                        const RigidTransform& T_camera_from_rig) const;
     Box box_of(const std::vector<TargetPatch>& sheets_in_camera) const;
 
     const Scene& scene_;
     const Camera camera_;
     std::vector<Eigen::Vector2f> slopes_;  // x/z and y/z of every pixel's ray, a border of one more
-    std::vector<float> seabed_;
+    mutable std::once_flag seabed_once_;   // a camera that is only ever turned needs none
+    mutable std::vector<float> seabed_;
     mutable std::mutex mutex_;  // of the cached still picture
     mutable std::int64_t still_since_ = -1;
     mutable std::shared_ptr<const std::vector<float>> still_;

@@ -87,7 +87,7 @@ void Scene::arrange_calibration_target(const Target& target) {
     for (const auto& corner : corners) {
         radius = std::max(radius, (corner - middle_mm_).norm());
     }
-    typical_range_mm_ = std::max(500.0, 3.6 * radius);
+    typical_range_mm_ = std::max(600.0, 5.0 * radius);
 }
 
 float Scene::seabed_along(const Ray& ray, double spread) const {
@@ -110,8 +110,8 @@ RigidTransform Scene::T_rig_from_target(double time_s) const {
         const bool book = std::holds_alternative<TwoPlaneTarget>(*profile_.calibration_target);
         const double turn = book ? rad_from_deg(-45.0) : 0.0;  // the edge away from us
         const double range = typical_range_mm_ * (1.0 + 0.3 * unit(random));
-        const Eigen::Vector3d place(225.0 + 0.16 * range * unit(random),
-                                    0.12 * range * unit(random), range);
+        const Eigen::Vector3d place(225.0 + 0.12 * range * unit(random),
+                                    0.10 * range * unit(random), range);
         Eigen::Matrix3d R =
             rotation_about_y(rad_from_deg(book ? 12.0 : 32.0) * unit(random) + turn) *
             rotation_about_x(rad_from_deg(book ? 12.0 : 28.0) * unit(random));

@@ -24,6 +24,7 @@ SimulatedWorld::SimulatedWorld(const SimulatedProfile& profile)
       scene_(profile),
       left_(scene_, rig_.left),
       right_(scene_, *rig_.right),
+      pan_tilt_(scene_, *rig_.pan_tilt),
       noise_(profile.noise_grey, profile.seed) {}
 
 std::int64_t SimulatedWorld::time_ns(std::int64_t frame) const {
@@ -43,13 +44,12 @@ Image SimulatedWorld::picture(FixedCamera camera, std::int64_t frame) const {
 }
 
 Image SimulatedWorld::pan_tilt_picture(std::int64_t frame, const HeadAngles& angles) const {
-    Camera turned = *rig_.pan_tilt;
-    const Eigen::Matrix3d R_turned_from_home = R_home_from_turned(angles).transpose();
-    turned.T_camera_from_rig =
-        RigidTransform{R_turned_from_home, Eigen::Vector3d::Zero()} * turned.T_camera_from_rig;
-    const CameraView view(scene_, turned);
-    return noise_.digitised(view.draw(time_s(frame)), turned.width_px, turned.height_px,
-                            pan_tilt_number, frame);
+    const Camera& camera = *rig_.pan_tilt;
+    const RigidTransform T_turned_from_home{R_home_from_turned(angles).transpose(),
+                                            Eigen::Vector3d::Zero()};
+    const auto grey =
+        pan_tilt_.draw_turned(time_s(frame), T_turned_from_home * camera.T_camera_from_rig);
+    return noise_.digitised(grey, camera.width_px, camera.height_px, pan_tilt_number, frame);
 }
 
 RigidTransform SimulatedWorld::T_left_from_target(std::int64_t frame) const {

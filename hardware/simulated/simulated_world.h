@@ -54,6 +54,7 @@ class SimulatedWorld {
     Scene scene_;
     CameraView left_;
     CameraView right_;
+    CameraView pan_tilt_;
     SensorNoise noise_;
 };
 
