@@ -87,13 +87,19 @@ double undistorted_radius(const std::array<double, 12>& p, double max_radius, do
     double low = 0.0;
     double high = max_radius;
     double r = std::min(wanted, max_radius);
-    for (int i = 0; i < 60 && high - low > 1e-9 * high; ++i) {
+    double last_step = high;
+    for (int i = 0; i < 100; ++i) {
         const Radial radial = radial_at(p, r);
         const double rest = r * radial.factor - wanted;
         (rest > 0.0 ? high : low) = r;
         const double newton = r - rest / radial.slope;
-        r = newton > low && newton < high ? newton : 0.5 * (low + high);
-        if (std::abs(rest) < 1e-15) {
+        // Newton's step where it stays inside and gains on the last one; else half the interval.
+        const bool good =
+            newton >= low && newton <= high && std::abs(newton - r) < 0.5 * std::abs(last_step);
+        const double next = good ? newton : 0.5 * (low + high);
+        last_step = next - r;
+        r = next;
+        if (std::abs(last_step) <= 1e-12 * r) {
             break;
         }
     }

@@ -2,6 +2,7 @@
 // Each lens model against another derivation of itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
@@ -99,6 +100,25 @@ TEST(BrownLens, RefusesWhatLiesBeyondTheFold) {
     const double reached_px = 320 + 500 * fold * 2.0 / 3.0;
     EXPECT_TRUE(unproject(lens, {reached_px - 0.1, 240}));
     EXPECT_FALSE(unproject(lens, {reached_px + 0.1, 240}));
+}
+
+TEST(BrownLens, IsUndoneWhereNewtonsMethodAloneGoesAstray) {
+    // A pole ahead, and a stretch in which the distorted radius hardly grows.
+    const BrownLens pole(500, 500, 320, 240,
+                         {0.3199, 0.2319, 0, 0, 0.1029, -0.2652, -0.1693, -0.0367});
+    const BrownLens flat(500, 500, 320, 240,
+                         {0.4784, 0.4634, 0, 0, 0.1740, 0.0707, 0.0523, 0.0827});
+    for (const BrownLens& lens : {pole, flat}) {
+        const double last = std::min(lens.max_radius(), 3.0);
+        for (double part = 0.01; part < 0.995; part += 0.01) {
+            const Vector3d direction = Vector3d(0.6 * part * last, -0.8 * part * last, 1.0);
+            const auto pixel = project(lens, direction);
+            ASSERT_TRUE(pixel);
+            const auto ray = unproject(lens, *pixel);
+            ASSERT_TRUE(ray) << part;
+            EXPECT_LT((ray->direction - direction.normalized()).norm(), 1e-10) << part;
+        }
+    }
 }
 
 TEST(BrownLens, KnowsHowManyTermsItHas) {
