@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/lint/lint.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <future>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <thread>
+
+namespace kambara::lint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_lines = 600;
+
+// Which rooms a room may include beside itself. This is the table that the rooms' READMEs tell.
+const std::map<std::string, std::set<std::string>>& allowed_includes() {
+    static const std::set<std::string> base{"core/base"};
+    static const std::set<std::string> image{"core/image", "core/base"};
+    static const std::set<std::string> camera{"core/camera", "core/geometry", "core/base"};
+    static const std::set<std::string> devices{"core/devices", "core/image", "core/base",
+                                               "core/recording"};
+    static const auto with = [](std::set<std::string> rooms, const std::set<std::string>& more) {
+        rooms.insert(more.begin(), more.end());
+        return rooms;
+    };
+    static const std::map<std::string, std::set<std::string>> table{
+        {"core/base", {}},
+        {"core/image", base},
+        {"core/geometry", base},
+        {"core/camera", with(base, {"core/geometry"})},
+        {"core/calibration", with(camera, image)},
+        {"core/matching", image},
+        {"core/stereo", camera},
+        {"core/pointing", camera},
+        {"core/devices", image},
+        {"core/tracking", with(with(camera, image), {"core/matching", "core/stereo"})},
+        {"core/recording", with(image, {"core/camera", "core/tracking"})},
+        {"core/report", base},
+        {"core/vsystem",
+         {"core/base", "core/image", "core/geometry", "core/camera", "core/calibration",
+          "core/matching", "core/tracking", "core/stereo", "core/pointing", "core/devices",
+          "core/recording", "core/report"}},
+        {"hardware/v4l2", devices},
+        {"hardware/media", devices},
+        {"hardware/visca", devices},
+        {"hardware/gamepad", devices},
+        {"hardware/simulated", with(with(devices, camera), {"core/calibration/target.h"})},
+        {"ui", with(with(camera, image), {"core/vsystem", "core/tracking", "core/stereo"})},
+    };
+    return table;
+}
+
+// core/base/result.h -> core/base; ui/video/view.h -> ui; app/cli/x.h -> app.
+std::string room_of(const std::string& path) {
+    const auto first = path.find('/');
+    const std::string top = path.substr(0, first);
+    if (top != "core" && top != "hardware") {
+        return top;
+    }
+    const auto second = path.find('/', first + 1);
+    return second == std::string::npos ? top : path.substr(0, second);
+}
+
+bool is_ours(const std::string& include) {
+    const std::string top = include.substr(0, include.find('/'));
+    return top == "core" || top == "hardware" || top == "ui" || top == "app" || top == "tests";
+}
+
+bool is_qt_or_vtk(const std::string& include) {
+    static const std::regex pattern(
+        R"(^(Q[A-Z]\w*|Qt\w*/.*|q[a-z]+\.h|vtk\w*\.h|qcustomplot\.h)$)");
+    return std::regex_match(include, pattern);
+}
+
+bool is_operating_system(const std::string& include) {
+    static const std::regex folders(R"(^(sys|linux|net|netinet|arpa|asm|mach|bits)/.*)");
+    static const std::set<std::string> headers{
+        "unistd.h", "fcntl.h",   "pthread.h", "termios.h",   "poll.h",    "signal.h",  "csignal",
+        "dlfcn.h",  "dirent.h",  "sched.h",   "semaphore.h", "spawn.h",   "windows.h", "winsock2.h",
+        "netdb.h",  "pwd.h",     "grp.h",     "syslog.h",    "utime.h",   "glob.h",    "io.h",
+        "direct.h", "process.h", "mqueue.h",  "aio.h",       "sysexits.h"};
+    return std::regex_match(include, folders) || headers.contains(include);
+}
+
+std::optional<std::string> included(const std::string& line) {
+    static const std::regex pattern(R"(^\s*#\s*include\s*["<]([^">]+)[">].*)");
+    std::smatch match;
+    if (!std::regex_match(line, match, pattern)) {
+        return std::nullopt;
+    }
+    return match[1].str();
+}
+
+void check_include(const std::string& file, int line, const std::string& include,
+                   std::vector<Fault>& faults) {
+    const std::string room = room_of(file);
+    const bool core = room.starts_with("core/");
+    const bool hardware = room.starts_with("hardware/");
+    if ((core || hardware) && is_qt_or_vtk(include)) {
+        faults.push_back({file, line, "Qt and VTK stay out of core and hardware: " + include});
+    }
+    if (core && is_operating_system(include)) {
+        faults.push_back({file, line, "core calls no operating system: " + include});
+    }
+    if (!is_ours(include) || room == "app" || room == "tests") {
+        return;
+    }
+    const std::string other = room_of(include);
+    const auto entry = allowed_includes().find(room);
+    if (entry == allowed_includes().end()) {
+        faults.push_back({file, line, "the room " + room + " is not in the table of includes"});
+    } else if (other != room && !entry->second.contains(other) &&
+               !entry->second.contains(include)) {
+        faults.push_back({file, line, room + " may not include " + include});
+    }
+}
+
+void check_file(const fs::path& root, const fs::path& path, std::vector<Fault>& faults) {
+    const std::string file = path.lexically_relative(root).generic_string();
+    std::ifstream stream(path);
+    std::string line;
+    int number = 0;
+    bool once = false;
+    bool licensed = false;
+    while (std::getline(stream, line)) {
+        ++number;
+        once = once || line == "#pragma once";
+        licensed = licensed ||
+                   (number <= 3 &&
+                    line.find("SPDX-License-Identifier: GPL-3.0-or-later") != std::string::npos);
+        if (const auto include = included(line)) {
+            check_include(file, number, *include, faults);
+        }
+    }
+    if (number > most_lines) {
+        faults.push_back({file, 0,
+                          std::to_string(number) + " lines, more than " +
+                              std::to_string(most_lines) + ": cut it"});
+    }
+    if (!licensed) {
+        faults.push_back({file, 0, "the licence line is missing"});
+    }
+    if (path.extension() == ".h" && !once) {
+        faults.push_back({file, 0, "#pragma once is missing"});
+    }
+}
+
+std::vector<fs::path> files_under(const fs::path& root, std::initializer_list<const char*> tops,
+                                  const std::set<std::string>& endings) {
+    std::vector<fs::path> files;
+    for (const char* top : tops) {
+        if (!fs::is_directory(root / top)) {
+            continue;
+        }
+        for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+            if (entry.is_regular_file() && endings.contains(entry.path().extension().string())) {
+                files.push_back(entry.path());
+            }
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string quoted(const std::string& text) {
+    return "'" + text + "'";
+}
+
+}  // namespace
+
+std::string to_string(const Fault& fault) {
+    return fault.file + (fault.line > 0 ? ":" + std::to_string(fault.line) : "") + ": " +
+           fault.what;
+}
+
+std::vector<Fault> faults_of_sources(const fs::path& root) {
+    std::vector<Fault> faults;
+    for (const fs::path& path :
+         files_under(root, {"app", "ui", "core", "hardware", "tests"}, {".h", ".cpp"})) {
+        check_file(root, path, faults);
+    }
+    return faults;
+}
+
+std::vector<Fault> faults_of_headers(const fs::path& root, const std::string& compiler) {
+    const auto headers = files_under(root, {"app", "ui", "core", "hardware"}, {".h"});
+    const unsigned workers = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::future<std::vector<Fault>>> parts;
+    for (unsigned worker = 0; worker < workers; ++worker) {
+        parts.push_back(std::async(std::launch::async, [&, worker] {
+            std::vector<Fault> faults;
+            for (std::size_t i = worker; i < headers.size(); i += workers) {
+                const std::string command = compiler + " -fsyntax-only -x c++ -I" +
+                                            quoted(root.string()) + " " +
+                                            quoted(headers[i].string());
+                if (std::system(command.c_str()) != 0) {
+                    faults.push_back({headers[i].lexically_relative(root).generic_string(), 0,
+                                      "does not compile by itself"});
+                }
+            }
+            return faults;
+        }));
+    }
+    std::vector<Fault> faults;
+    for (auto& part : parts) {
+        auto found = part.get();
+        faults.insert(faults.end(), std::make_move_iterator(found.begin()),
+                      std::make_move_iterator(found.end()));
+    }
+    return faults;
+}
+
+}  // namespace kambara::lint

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace kambara::lint {
+
+struct Fault {
+    std::string file;  ///< relative to the root
+    int line = 0;      ///< 0: the whole file
+    std::string what;
+};
+
+/// Reads every .h and .cpp under app, ui, core, hardware and tests of `root`, and reports: includes
+/// against the table of directions, Qt or VTK in core or hardware, an operating-system header in
+/// core, files past 600 lines, a missing licence line, headers without #pragma once.
+std::vector<Fault> faults_of_sources(const std::filesystem::path& root);
+
+/// Compiles every header of app, ui, core and hardware by itself with `compiler` (a command with
+/// its flags) and reports those that fail.
+std::vector<Fault> faults_of_headers(const std::filesystem::path& root,
+                                     const std::string& compiler);
+
+std::string to_string(const Fault& fault);
+
+}  // namespace kambara::lint
