@@ -4,14 +4,30 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace kambara {
 namespace {
 
-// Vertex of the parabola through (-1, a), (0, b), (1, c), b being the extremum of the three.
-double vertex(double a, double b, double c) {
-    const double bend = a - 2.0 * b + c;
-    return bend == 0.0 ? 0.0 : std::clamp(0.5 * (a - c) / bend, -0.5, 0.5);
+constexpr double farthest_vertex = 0.75;  // beyond, the nine scores are no quadratic
+
+// The extremum of the quadratic through the nine scores about a whole-pixel peak: differences of
+// second order, with the mixed one, since a template's peak is seldom upright.
+std::optional<std::pair<double, double>> vertex(const ScoreMap& map, int x, int y) {
+    const auto f = [&](int dx, int dy) { return static_cast<double>(map.at(x + dx, y + dy)); };
+    const double gx = 0.5 * (f(1, 0) - f(-1, 0));
+    const double gy = 0.5 * (f(0, 1) - f(0, -1));
+    const double xx = f(1, 0) - 2.0 * f(0, 0) + f(-1, 0);
+    const double yy = f(0, 1) - 2.0 * f(0, 0) + f(0, -1);
+    const double xy = 0.25 * (f(1, 1) - f(1, -1) - f(-1, 1) + f(-1, -1));
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 0.0)) {
+        return std::nullopt;  // a ridge, a saddle or a plateau
+    }
+    const double dx = (xy * gy - yy * gx) / determinant;
+    const double dy = (xy * gx - xx * gy) / determinant;
+    return std::pair(std::clamp(dx, -farthest_vertex, farthest_vertex),
+                     std::clamp(dy, -farthest_vertex, farthest_vertex));
 }
 
 }  // namespace
@@ -38,8 +54,12 @@ std::optional<Peak> best_peak(const ScoreMap& map, Measure measure) {
     const int y = peak.whole_y;
     const bool inside_x = x > r.x && x + 1 < r.x + r.width;
     const bool inside_y = y > r.y && y + 1 < r.y + r.height;
-    peak.x = x + (inside_x ? vertex(map.at(x - 1, y), map.at(x, y), map.at(x + 1, y)) : 0.0);
-    peak.y = y + (inside_y ? vertex(map.at(x, y - 1), map.at(x, y), map.at(x, y + 1)) : 0.0);
+    peak.x = x;
+    peak.y = y;
+    if (const auto part = inside_x && inside_y ? vertex(map, x, y) : std::nullopt) {
+        peak.x += part->first;
+        peak.y += part->second;
+    }
     peak.on_border = !inside_x || !inside_y;
     return peak;
 }

@@ -18,9 +18,9 @@ struct Peak {
     bool on_border = false;  ///< the best may lie outside the region searched
 };
 
-/// The best position; of equal ones the first in reading order. Sub-pixel by the vertex of a
-/// parabola through the best score and its two neighbours, in x and in y, at most half a pixel
-/// away. Empty for an empty map.
+/// The best position; of equal ones the first in reading order. Sub-pixel by the extremum of the
+/// quadratic through the best score and its eight neighbours, less than a pixel away. Empty for an
+/// empty map.
 std::optional<Peak> best_peak(const ScoreMap& map, Measure measure);
 
 /// The best score farther than `distance` positions (in x or in y) from the peak: what the match

@@ -45,7 +45,8 @@ Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectang
     here.size_px = first_->size_px;
     here.covariance_px2 =
         options_.search.floor_px * options_.search.floor_px * Eigen::Matrix2d::Identity();
-    adopt(complete_from_left(rig_, options_, frame, {first_->point_in_rig_mm}, here), frame);
+    adopt(complete_from_left(rig_, options_, frame, SearchScope{first_->point_in_rig_mm}, here),
+          frame);
     return Done{};
 }
 
@@ -106,8 +107,9 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     estimate_.position.reset();
     estimate_.quality = measured ? measured->left.quality : 0.0;
     if (!measured) {
-        miss("the predicted place is outside the left picture");
-    } else if (measured->left.quality < (lost ? options_.good_quality : options_.lost_quality)) {
+        miss(lost ? "looking for it: nothing in the left picture is clearly it"
+                  : "the predicted place is outside the left picture");
+    } else if (measured->left.quality < options_.lost_quality) {
         miss("the most similar place in the left picture is only " +
              percent(measured->left.quality) + " alike");
     } else {
@@ -122,7 +124,8 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
 std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame,
                                                         const Eigen::Vector3d& expected_in_rig_mm,
                                                         bool everywhere) const {
-    SearchScope scope{expected_in_rig_mm, range_known_, everywhere};
+    const SearchScope scope{expected_in_rig_mm, range_known_, estimate_.state == TrackState::lost,
+                            everywhere};
     auto by_first = search_target(rig_, options_, *first_, frame, scope);
     if (!latest_ || (by_first && by_first->quality >= options_.update_quality)) {
         return by_first;

@@ -9,20 +9,26 @@ namespace {
 std::optional<PatchMatch> find_left(const Rig& rig, const TrackerOptions& options,
                                     const ReferencePatch& patch, const Image& grey,
                                     const SearchScope& scope) {
-    std::optional<PatchMatch> best;
     const auto look = [&](int radius_px) {
-        auto found = search_window(patch, rig.left, rig.left, grey, scope.expected_in_rig_mm,
-                                   radius_px, options.search);
-        if (found && (!best || found->quality > best->quality)) {
-            best = found;
-        }
-        return best && best->quality >= options.good_quality;
+        return search_window(patch, rig.left, rig.left, grey, scope.expected_in_rig_mm, radius_px,
+                             options.search);
     };
-    if (look(options.window_radius_px) || look(options.wide_radius_px) || !scope.everywhere) {
-        return best;
+    const auto clear = [&](const std::optional<PatchMatch>& found) {
+        return found && found->quality >= options.found_quality &&
+               found->distinctness >= options.least_distinctness;
+    };
+    // Once lost, a likeness near by is no reason not to look for a better one elsewhere.
+    if (scope.lost && scope.everywhere) {
+        const auto found = look(std::max(grey.width(), grey.height()));
+        return clear(found) ? found : std::nullopt;
     }
-    look(std::max(grey.width(), grey.height()));
-    return best;
+    const auto near_by = look(options.window_radius_px);
+    if (scope.lost || (near_by && near_by->quality >= options.good_quality)) {
+        return !scope.lost || clear(near_by) ? near_by : std::nullopt;
+    }
+    // Beyond the window no prediction tells the target from its likes: it must be a clear case.
+    const auto farther = look(options.wide_radius_px);
+    return clear(farther) ? farther : near_by;
 }
 
 // The distances whose right pixels lie within reach of the one expected.

@@ -28,12 +28,13 @@ struct SearchScope {
     Eigen::Vector3d expected_in_rig_mm;  ///< where the target is thought to be
     /// The distance is a measured one; else it is looked for from near to far.
     bool range_known = false;
-    bool everywhere = false;  ///< the whole left picture, where the windows hold nothing good
+    bool lost = false;        ///< nothing is known of late: only a clear match counts
+    bool everywhere = false;  ///< when lost: look over the whole left picture
 };
 
-/// Looks for a patch: left in a window about the expected place (then a wider one, then everywhere
-/// if so told), right along the epipolar curve, then the position of both. Empty where the expected
-/// place can't be seen. Any thread.
+/// Looks for a patch: left in a window about the expected place (then in a wider one; once lost,
+/// everywhere if so told), right along the epipolar curve, then the position of both. Empty where
+/// the expected place can't be seen. Any thread.
 std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOptions& options,
                                                const ReferencePatch& patch,
                                                const StereoFrame& frame, const SearchScope& scope);

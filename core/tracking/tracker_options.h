@@ -17,6 +17,7 @@ struct TrackerOptions {
     double right_reach_px = 16.0;      ///< along the curve, about the predicted place
     double good_quality = 0.70;        ///< at least this: Tracking
     double lost_quality = 0.50;        ///< less than this: Lost
+    double found_quality = 0.80;       ///< at least this to take a match far from the prediction
     double least_distinctness = 0.03;  ///< of a match found without a prediction
     double update_quality = 0.85;      ///< a fresh template is cut when the match falls below this
     int update_interval_frames = 5;    ///< but no more often than this
