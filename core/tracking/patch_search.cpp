@@ -111,7 +111,9 @@ std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camer
     if (!found) {
         return std::nullopt;
     }
+    const double whole_pixel_quality = found->match.quality;
     refine(found->match, patch, left, camera, grey, expected_in_rig_mm, options);
+    found->match.distinctness += found->match.quality - whole_pixel_quality;
     return found->match;
 }
 
@@ -151,7 +153,9 @@ std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig
     }
     best->on_border = false;
     tried.point_in_rig_mm = best_place;
+    const double whole_pixel_quality = best->quality;
     refine(*best, tried, rig.left, *rig.right, right_grey, best_place, options);
+    best->distinctness += best->quality - whole_pixel_quality;
     return best;
 }
 

@@ -10,6 +10,26 @@ namespace {
 
 constexpr int samples = 2;  // across a pixel, and as many down
 
+// A value in [-1, 1] that belongs to a lattice point.
+double lattice(std::int64_t x, std::int64_t y, std::uint64_t which) {
+    auto h = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ULL ^
+             static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4fULL ^ which * 0x165667b19e3779f9ULL;
+    h = (h ^ (h >> 29U)) * 0xbf58476d1ce4e5b9ULL;
+    h = (h ^ (h >> 32U)) * 0x94d049bb133111ebULL;
+    return static_cast<double>(h >> 11U) / 4503599627370496.0 - 1.0;
+}
+
+// Lattice values joined so that value and slope are smooth.
+double smoothed(double u, double v, std::uint64_t which) {
+    const auto x = static_cast<std::int64_t>(std::floor(u));
+    const auto y = static_cast<std::int64_t>(std::floor(v));
+    const auto ease = [](double t) { return t * t * t * (t * (6.0 * t - 15.0) + 10.0); };
+    const double a = ease(u - static_cast<double>(x));
+    const double b = ease(v - static_cast<double>(y));
+    return (1 - b) * ((1 - a) * lattice(x, y, which) + a * lattice(x + 1, y, which)) +
+           b * ((1 - a) * lattice(x, y + 1, which) + a * lattice(x + 1, y + 1, which));
+}
+
 Frame frame_of(Image picture, std::int64_t index, double rate_hz) {
     Frame frame;
     frame.picture = std::make_shared<const Image>(std::move(picture));
@@ -21,11 +41,9 @@ Frame frame_of(Image picture, std::int64_t index, double rate_hz) {
 }  // namespace
 
 double TexturedPlane::grey_at(double u, double v) const {
-    // Waves whose lengths have no common measure: no two places look alike.
-    const double waves = std::sin(u / 11.0 + 0.7 * std::sin(v / 37.0)) * std::cos(v / 13.0) +
-                         0.8 * std::sin((u + 2.0 * v) / 29.0) + 0.6 * std::cos((u - v) / 71.0) +
-                         0.5 * std::sin(u / 173.0) * std::sin(v / 131.0);
-    return offset_grey + contrast_grey * waves / 1.6;
+    // Two sizes of smoothed random values: no two places look alike.
+    const double value = smoothed(u / 14.0, v / 14.0, 1) + 1.2 * smoothed(u / 45.0, v / 45.0, 2);
+    return offset_grey + contrast_grey * value;
 }
 
 Image drawn(const TexturedPlane& plane, const Camera& camera) {
