@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,10 +29,18 @@ CameraView::CameraView(const Scene& scene, const Camera& camera) : scene_(scene)
     }
 }
 
+// The slopes of the four pixels (x, y), (x + 1, y) and, one stride on, those below them.
+const Eigen::Vector2f* CameraView::slopes_from(int x, int y) const {
+    return slopes_.data() +
+           static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(camera_.width_px + 2) +
+           static_cast<std::size_t>(x + 1);
+}
+
 void CameraView::draw_seabed(std::vector<float>& grey, const RigidTransform& T_camera_from_rig,
                              int samples) const {
     const RigidTransform T_rig_from_camera = T_camera_from_rig.inverse();
     const double spread = 1.0 / pinhole_parameters(camera_.lens).fx_px / samples;
+    const std::size_t stride = static_cast<std::size_t>(camera_.width_px + 2);
     grey.clear();
     grey.reserve(static_cast<std::size_t>(camera_.width_px) *
                  static_cast<std::size_t>(camera_.height_px));
@@ -39,39 +48,36 @@ void CameraView::draw_seabed(std::vector<float>& grey, const RigidTransform& T_c
         for (int x = 0; x < camera_.width_px; ++x) {
             float sum = 0.0F;
             for (int i = 0; i < samples * samples; ++i) {
-                const double dx = (i % samples + 0.5) / samples - 0.5;
-                const double dy = (i / samples + 0.5) / samples - 0.5;
-                const Eigen::Vector2f slope = slope_at(x + dx, y + dy);
-                const Eigen::Vector3d direction =
-                    Eigen::Vector3d(slope.x(), slope.y(), 1.0).normalized();
-                sum += scene_.seabed_along(T_rig_from_camera * Ray{{0, 0, 0}, direction}, spread);
+                // Between four exact rays the slope is as good as linear: over one pixel a lens
+                // bends by about a thousandth of a pixel.
+                const float dx =
+                    (static_cast<float>(i % samples) + 0.5F) / static_cast<float>(samples) - 0.5F;
+                const float dy =
+                    (static_cast<float>(i / samples) + 0.5F) / static_cast<float>(samples) - 0.5F;
+                const Eigen::Vector2f* s = slopes_from(dx < 0 ? x - 1 : x, dy < 0 ? y - 1 : y);
+                const float a = dx < 0 ? dx + 1 : dx;
+                const float b = dy < 0 ? dy + 1 : dy;
+                const Eigen::Vector2f slope = (1 - b) * ((1 - a) * s[0] + a * s[1]) +
+                                              b * ((1 - a) * s[stride] + a * s[stride + 1]);
+                const Eigen::Vector3d direction(slope.x(), slope.y(), 1.0);
+                sum += scene_.seabed_along(
+                    {T_rig_from_camera.t_mm, T_rig_from_camera.R * direction.normalized()}, spread);
             }
             grey.push_back(sum / static_cast<float>(samples * samples));
         }
     }
 }
 
-// Between four exact rays the slope is as good as linear: over one pixel a lens bends by less than
-// a thousandth of a pixel.
-Eigen::Vector2f CameraView::slope_at(double x, double y) const {
-    const int x0 = static_cast<int>(std::floor(x));
-    const int y0 = static_cast<int>(std::floor(y));
-    const auto a = static_cast<float>(x - x0);
-    const auto b = static_cast<float>(y - y0);
-    const std::size_t stride = static_cast<std::size_t>(camera_.width_px + 2);
-    const Eigen::Vector2f* s = slopes_.data() + static_cast<std::size_t>(y0 + 1) * stride +
-                               static_cast<std::size_t>(x0 + 1);
-    return (1 - b) * ((1 - a) * s[0] + a * s[1]) + b * ((1 - a) * s[stride] + a * s[stride + 1]);
-}
-
 std::vector<float> CameraView::draw(double time_s) const {
     std::call_once(seabed_once_,
                    [&] { draw_seabed(seabed_, camera_.T_camera_from_rig, samples_across); });
+    const auto patches =
+        patches_in_camera(camera_.T_camera_from_rig * scene_.T_rig_from_target(time_s));
     std::vector<float> grey;
     const std::int64_t since = scene_.still_since(time_s);
     if (since < 0) {
         grey = seabed_;
-        draw_target(grey, camera_.T_camera_from_rig * scene_.T_rig_from_target(time_s));
+        draw_target(grey, patches);
     } else {
         std::shared_ptr<const std::vector<float>> still;
         {
@@ -80,7 +86,7 @@ std::vector<float> CameraView::draw(double time_s) const {
         }
         if (!still) {
             grey = seabed_;
-            draw_target(grey, camera_.T_camera_from_rig * scene_.T_rig_from_target(time_s));
+            draw_target(grey, patches);
             still = std::make_shared<const std::vector<float>>(grey);
             std::lock_guard lock(mutex_);
             still_ = still;
@@ -89,28 +95,29 @@ std::vector<float> CameraView::draw(double time_s) const {
             grey = *still;
         }
     }
-    draw_particles(grey, time_s, camera_.T_camera_from_rig);
+    draw_particles(grey, time_s, camera_.T_camera_from_rig, patches);
     return grey;
 }
 
 std::vector<float> CameraView::draw_turned(double time_s,
                                            const RigidTransform& T_camera_from_rig) const {
+    const auto patches = patches_in_camera(T_camera_from_rig * scene_.T_rig_from_target(time_s));
     std::vector<float> grey;
     draw_seabed(grey, T_camera_from_rig, 1);
-    draw_target(grey, T_camera_from_rig * scene_.T_rig_from_target(time_s));
-    draw_particles(grey, time_s, T_camera_from_rig);
+    draw_target(grey, patches);
+    draw_particles(grey, time_s, T_camera_from_rig, patches);
     return grey;
 }
 
-void CameraView::draw_target(std::vector<float>& grey,
-                             const RigidTransform& T_camera_from_target) const {
-    std::vector<TargetPatch> sheets = scene_.sheets();
-    for (TargetPatch& sheet : sheets) {
-        sheet.origin_mm = T_camera_from_target * sheet.origin_mm;
-        sheet.across_mm = T_camera_from_target.R * sheet.across_mm;
-        sheet.down_mm = T_camera_from_target.R * sheet.down_mm;
+std::vector<TargetPatch> CameraView::patches_in_camera(
+    const RigidTransform& T_camera_from_target) const {
+    std::vector<TargetPatch> patches = scene_.sheets();
+    for (TargetPatch& patch : patches) {
+        patch.origin_mm = T_camera_from_target * patch.origin_mm;
+        patch.across_mm = T_camera_from_target.R * patch.across_mm;
+        patch.down_mm = T_camera_from_target.R * patch.down_mm;
     }
-    draw_box(grey, box_of(sheets), sheets);
+    return patches;
 }
 
 // The pixels that the sheets can touch: their outlines are followed, since a lens bends them.
@@ -141,73 +148,94 @@ CameraView::Box CameraView::box_of(const std::vector<TargetPatch>& sheets) const
             inside(high.x() + 4.0, camera_.width_px), inside(high.y() + 4.0, camera_.height_px)};
 }
 
-void CameraView::draw_box(std::vector<float>& grey, const Box& box,
-                          const std::vector<TargetPatch>& sheets) const {
-    // Along the ray (x, y, 1) s a sheet's plane is met at s = offset / (normal . (x, y, 1)).
-    struct Plane {
-        Eigen::Vector3f normal;
-        Eigen::Vector3f origin, across, down;  // across and down of unit length
-        float offset, width, height;
-    };
-    std::vector<Plane> planes;
-    for (const TargetPatch& sheet : sheets) {
-        const Eigen::Vector3d across = sheet.across_mm.normalized();
-        const Eigen::Vector3d down = sheet.down_mm.normalized();
-        const Eigen::Vector3d normal = across.cross(down);
-        planes.push_back({normal.cast<float>(), sheet.origin_mm.cast<float>(), across.cast<float>(),
-                          down.cast<float>(), static_cast<float>(normal.dot(sheet.origin_mm)),
-                          static_cast<float>(sheet.across_mm.norm()),
-                          static_cast<float>(sheet.down_mm.norm())});
-    }
+void CameraView::draw_target(std::vector<float>& grey,
+                             const std::vector<TargetPatch>& patches) const {
+    const Box box = box_of(patches);
+    const std::vector<Sheet> sheets(patches.begin(), patches.end());
+    std::vector<Sheet::Meeting> meetings;
     for (int y = box.y0; y < box.y1; ++y) {
-        float* row =
-            grey.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width_px);
-        for (int x = box.x0; x < box.x1; ++x) {
-            float sum = 0.0F;
-            float range = 0.0F;
-            int hits = 0;
-            for (int i = 0; i < samples_across * samples_across; ++i) {
-                const double dx = (i % samples_across + 0.5) / samples_across - 0.5;
-                const double dy = (i / samples_across + 0.5) / samples_across - 0.5;
-                const Eigen::Vector2f slope = slope_at(x + dx, y + dy);
-                const Eigen::Vector3f direction(slope.x(), slope.y(), 1.0F);
-                float nearest = std::numeric_limits<float>::max();
-                float surface = 0.0F;
-                for (std::size_t k = 0; k < planes.size(); ++k) {
-                    const Plane& plane = planes[k];
-                    const float s = plane.offset / plane.normal.dot(direction);
-                    const Eigen::Vector3f at = s * direction - plane.origin;
-                    const float u = at.dot(plane.across);
-                    const float v = at.dot(plane.down);
-                    if (s > 0.0F && s < nearest && u >= 0.0F && v >= 0.0F && u < plane.width &&
-                        v < plane.height) {
-                        nearest = s;
-                        surface = scene_.surface(k, u, v);
-                    }
-                }
-                if (nearest < std::numeric_limits<float>::max()) {
-                    sum += surface;
-                    range = nearest * direction.norm();
-                    ++hits;
+        draw_row(
+            grey.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width_px),
+            y, box, sheets, meetings);
+    }
+}
+
+// The sheets are met exactly at the pixels' corners only: within a pixel, a place on a sheet is as
+// good as linear. `meetings` is this function's scratch memory.
+void CameraView::draw_row(float* row, int y, const Box& box, const std::vector<Sheet>& sheets,
+                          std::vector<Sheet::Meeting>& meetings) const {
+    const std::size_t corners = static_cast<std::size_t>(std::max(0, box.x1 - box.x0)) + 1;
+    const std::size_t stride = static_cast<std::size_t>(camera_.width_px + 2);
+    meetings.clear();
+    for (const Sheet& sheet : sheets) {
+        for (int corner_y = y; corner_y <= y + 1; ++corner_y) {
+            const Eigen::Vector2f* s = slopes_from(box.x0 - 1, corner_y - 1);
+            for (std::size_t i = 0; i < corners; ++i, ++s) {
+                meetings.push_back(sheet.meet(0.25F * (s[0] + s[1] + s[stride] + s[stride + 1])));
+            }
+        }
+    }
+    constexpr int n = samples_across * samples_across;
+    for (int x = box.x0; x < box.x1; ++x) {
+        std::array<float, n> depth;
+        std::array<float, n> surface;
+        depth.fill(std::numeric_limits<float>::max());
+        for (std::size_t k = 0; k < sheets.size(); ++k) {
+            const Sheet::Meeting* top =
+                meetings.data() + 2 * k * corners + static_cast<std::size_t>(x - box.x0);
+            const Sheet::Meeting* bottom = top + corners;
+            if (std::min({top[0].depth_mm, top[1].depth_mm, bottom[0].depth_mm,
+                          bottom[1].depth_mm}) <= 0.0F) {
+                continue;
+            }
+            for (int j = 0; j < n; ++j) {
+                const float a = (static_cast<float>(j % samples_across) + 0.5F) / samples_across;
+                const float b = (static_cast<float>(j / samples_across) + 0.5F) / samples_across;
+                const auto within = [&](float Sheet::Meeting::*part) {
+                    return (1 - b) * ((1 - a) * top[0].*part + a * top[1].*part) +
+                           b * ((1 - a) * bottom[0].*part + a * bottom[1].*part);
+                };
+                const float u = within(&Sheet::Meeting::u_mm);
+                const float v = within(&Sheet::Meeting::v_mm);
+                const float here = within(&Sheet::Meeting::depth_mm);
+                const auto i = static_cast<std::size_t>(j);
+                if (sheets[k].covers(u, v) && here < depth[i]) {
+                    depth[i] = here;
+                    surface[i] = scene_.surface(k, u, v);
                 }
             }
-            if (hits > 0) {
-                const float share = static_cast<float>(hits) / (samples_across * samples_across);
-                const float seen = scene_.hazed(sum / static_cast<float>(hits), range);
-                row[x] = (1.0F - share) * row[x] + share * seen;
+        }
+        float sum = 0.0F;
+        float depth_sum = 0.0F;
+        int hits = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (depth[i] < std::numeric_limits<float>::max()) {
+                sum += surface[i];
+                depth_sum += depth[i];
+                ++hits;
             }
+        }
+        if (hits > 0) {
+            const auto count = static_cast<float>(hits);
+            const float length = std::sqrt(1.0F + slopes_from(x, y)->squaredNorm());
+            const float seen = scene_.hazed(sum / count, depth_sum / count * length);
+            row[x] += count / n * (seen - row[x]);
         }
     }
 }
 
 void CameraView::draw_particles(std::vector<float>& grey, double time_s,
-                                const RigidTransform& T_camera_from_rig) const {
+                                const RigidTransform& T_camera_from_rig,
+                                const std::vector<TargetPatch>& patches) const {
+    const std::vector<Sheet> sheets(patches.begin(), patches.end());
     const double f_px = pinhole_parameters(camera_.lens).fx_px;
     for (const Particle& particle : scene_.particles()) {
         const Eigen::Vector3d place =
             T_camera_from_rig * scene_.particle_place_mm(particle, time_s);
         const auto pixel = kambara::project(camera_.lens, place);
-        if (!pixel || place.z() < 100.0) {
+        if (!pixel || place.z() < 100.0 ||
+            std::any_of(sheets.begin(), sheets.end(),
+                        [&](const Sheet& sheet) { return sheet.hides(place); })) {
             continue;
         }
         const double sigma_px = std::hypot(0.6, f_px * particle.radius_mm / place.z());

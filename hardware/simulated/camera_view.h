@@ -9,12 +9,13 @@
 #include "core/camera/rig.h"
 #include "core/image/image.h"
 #include "hardware/simulated/scene.h"
+#include "hardware/simulated/sheet.h"
 
 namespace kambara {
 
 /// Draws a scene as a camera of the rig sees it, by casting rays through its exact lens model:
-/// every pixel's ray is exact, those of its sixteen samples lie between the exact ones. The seabed
-/// is drawn once; a still target once a pose. Any thread.
+/// every pixel's ray is exact, and its sixteen samples lie between such rays. The seabed is drawn
+/// once; a still target once a pose. Any thread.
 class CameraView {
   public:
     CameraView(const Scene& scene, const Camera& camera);
@@ -31,15 +32,17 @@ class CameraView {
         int x0, y0, x1, y1;  // one past the last
     };
 
-    Eigen::Vector2f slope_at(double x, double y) const;
+    const Eigen::Vector2f* slopes_from(int x, int y) const;
     void draw_seabed(std::vector<float>& grey, const RigidTransform& T_camera_from_rig,
                      int samples) const;
-    void draw_target(std::vector<float>& grey, const RigidTransform& T_camera_from_target) const;
-    void draw_box(std::vector<float>& grey, const Box& box,
-                  const std::vector<TargetPatch>& sheets_in_camera) const;
+    std::vector<TargetPatch> patches_in_camera(const RigidTransform& T_camera_from_target) const;
+    Box box_of(const std::vector<TargetPatch>& patches_in_camera) const;
+    void draw_target(std::vector<float>& grey, const std::vector<TargetPatch>& patches) const;
+    void draw_row(float* row, int y, const Box& box, const std::vector<Sheet>& sheets,
+                  std::vector<Sheet::Meeting>& meetings) const;
     void draw_particles(std::vector<float>& grey, double time_s,
-                        const RigidTransform& T_camera_from_rig) const;
-    Box box_of(const std::vector<TargetPatch>& sheets_in_camera) const;
+                        const RigidTransform& T_camera_from_rig,
+                        const std::vector<TargetPatch>& patches) const;
 
     const Scene& scene_;
     const Camera camera_;

@@ -74,7 +74,8 @@ void Scene::arrange_calibration_target(const Target& target) {
             const Eigen::Vector3d normal = across.cross(along);
             if (std::abs(from.dot(normal)) < 1e-6 && std::abs(to.dot(normal)) < 1e-6) {
                 marks_[i].push_back(
-                    {from.dot(across), from.dot(along), to.dot(across), to.dot(along)});
+                    {static_cast<float>(from.dot(across)), static_cast<float>(from.dot(along)),
+                     static_cast<float>(to.dot(across)), static_cast<float>(to.dot(along))});
                 break;
             }
         }
@@ -133,7 +134,7 @@ std::int64_t Scene::still_since(double time_s) const {
                                        : -1;
 }
 
-float Scene::surface(std::size_t sheet, double across_mm, double down_mm) const {
+float Scene::surface(std::size_t sheet, float across_mm, float down_mm) const {
     if (marks_.empty()) {
         return pattern_->at(across_mm, down_mm);
     }

@@ -46,7 +46,7 @@ class Scene {
     const std::vector<TargetPatch>& sheets() const { return sheets_; }
 
     /// The grey level of a point on a sheet, before haze.
-    float surface(std::size_t sheet, double across_mm, double down_mm) const;
+    float surface(std::size_t sheet, float across_mm, float down_mm) const;
 
     float hazed(float grey, double range_mm) const;
     const std::vector<Particle>& particles() const { return particles_; }
@@ -54,7 +54,7 @@ class Scene {
 
   private:
     struct Mark {
-        double left, top, right, bottom;  // in a sheet's own coordinates, mm
+        float left, top, right, bottom;  // in a sheet's own coordinates, mm
     };
 
     void arrange_calibration_target(const Target& target);

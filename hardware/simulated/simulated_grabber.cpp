@@ -26,8 +26,12 @@ class SimulatedGrabber final : public GrabberBase {
     Result<std::optional<Frame>> grab(std::stop_token stop) override {
         if (pace_.clock != nullptr) {
             const std::int64_t now_ns = pace_.clock->now_ns() - pace_.start_ns;
-            const auto newest =
+            auto newest =
                 static_cast<std::int64_t>(static_cast<double>(now_ns) * 1e-9 * info_.rate_hz);
+            // Frames' times are rounded to nanoseconds, so the quotient may be just short of one.
+            if (world_->time_ns(newest + 1) <= now_ns) {
+                ++newest;
+            }
             next_ = std::max(next_, newest);
         }
         const std::int64_t frames = world_->profile().frames;

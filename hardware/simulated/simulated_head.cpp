@@ -9,8 +9,11 @@
 namespace kambara {
 namespace {
 
-double stepped(double angle_rad, double steps_per_deg) {
-    return rad_from_deg(std::round(deg_from_rad(angle_rad) * steps_per_deg) / steps_per_deg);
+// The nearest whole step that is not beyond the limit.
+double stepped(double angle_rad, double steps_per_deg, double limit_rad) {
+    const double most = std::floor(deg_from_rad(limit_rad) * steps_per_deg + 1e-6);
+    const double steps = std::round(deg_from_rad(angle_rad) * steps_per_deg);
+    return rad_from_deg(std::clamp(steps, -most, most) / steps_per_deg);
 }
 
 double moved(double from, double to, double reach) {
@@ -42,8 +45,8 @@ Result<Done> SimulatedHead::move_to(const HeadAngles& angles) {
     std::lock_guard lock(mutex_);
     const std::int64_t now_ns = clock_->now_ns();
     from_ = angles_at(now_ns);
-    to_ = {stepped(angles.pan_rad, options_.pan_steps_per_deg),
-           stepped(angles.tilt_rad, options_.tilt_steps_per_deg)};
+    to_ = {stepped(angles.pan_rad, options_.pan_steps_per_deg, options_.limits.pan_rad),
+           stepped(angles.tilt_rad, options_.tilt_steps_per_deg, options_.limits.tilt_rad)};
     since_ns_ = now_ns;
     return Done{};
 }

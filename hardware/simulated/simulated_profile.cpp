@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hardware/simulated/simulated_profile.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cstdio>
+#include <type_traits>
 
 namespace kambara {
 namespace {
@@ -12,20 +15,24 @@ Error refused(const std::string& cause) {
             "particles, frames, rate, medium, target, as in default?seed=3&noise=1."};
 }
 
+// This and apply() give nothing when they took the value, else why they did not.
 template <class Number>
-bool read(std::string_view text, double lowest, double highest, Number& number) {
+std::string read(std::string_view text, double lowest, double highest, Number& number) {
     Number value{};
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     // The comparison is false for what is no number at all.
     if (code != std::errc{} || end != text.data() + text.size() ||
         !(static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest)) {
-        return false;
+        char range[64];
+        std::snprintf(range, sizeof range, "from %.10g to %.10g", lowest, highest);
+        return (std::is_integral_v<Number> ? "it takes a whole number " : "it takes a number ") +
+               std::string(range);
     }
     number = value;
-    return true;
+    return {};
 }
 
-bool apply(std::string_view key, std::string_view value, SimulatedProfile& profile) {
+std::string apply(std::string_view key, std::string_view value, SimulatedProfile& profile) {
     if (key == "seed") {
         return read(value, 0, 4294967295.0, profile.seed);
     }
@@ -44,18 +51,25 @@ bool apply(std::string_view key, std::string_view value, SimulatedProfile& profi
     if (key == "rate") {
         return read(value, 0.1, 1000, profile.rate_hz);
     }
-    if (key == "medium" && (value == "air" || value == "water")) {
-        profile.medium = value == "air" ? Medium::air : Medium::water;
-        return true;
-    }
-    if (key == "target" && profile.calibration_target) {
-        const auto target = parse_target(value);
-        if (target) {
-            profile.calibration_target = *target;
+    if (key == "medium") {
+        if (value != "air" && value != "water") {
+            return "it takes air or water";
         }
-        return target.ok();
+        profile.medium = value == "air" ? Medium::air : Medium::water;
+        return {};
     }
-    return false;
+    if (key == "target") {
+        if (!profile.calibration_target) {
+            return "the profile " + profile.name + " shows no calibration target";
+        }
+        const auto target = parse_target(value);
+        if (!target) {
+            return "it takes chessboard:9x6:30 or two-plane-24";
+        }
+        profile.calibration_target = *target;
+        return {};
+    }
+    return "there is no such key";
 }
 
 }  // namespace
@@ -77,10 +91,13 @@ Result<SimulatedProfile> simulated_profile(std::string_view text) {
         const std::string_view item = rest.substr(0, rest.find('&'));
         rest.remove_prefix(std::min(rest.size(), item.size() + 1));
         const auto equals = item.find('=');
-        if (equals == std::string_view::npos ||
-            !apply(item.substr(0, equals), item.substr(equals + 1), profile)) {
+        const std::string problem =
+            equals == std::string_view::npos
+                ? "it is not of the form key=value"
+                : apply(item.substr(0, equals), item.substr(equals + 1), profile);
+        if (!problem.empty()) {
             return refused("The simulated profile's \"" + std::string(item) +
-                           "\" is not understood or not possible.");
+                           "\" can't be used: " + problem + ".");
         }
     }
     return profile;

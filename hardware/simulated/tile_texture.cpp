@@ -14,6 +14,12 @@ std::size_t index(int side, int x, int y) {
            static_cast<std::size_t>(x);
 }
 
+// The next whole number below; std::floor is a call where the processor's own is not to be had.
+int whole(float value) {
+    const int towards_zero = static_cast<int>(value);
+    return towards_zero - (value < static_cast<float>(towards_zero) ? 1 : 0);
+}
+
 // Adds noise of one size: random values on a periodic lattice, joined by cubic B-splines, whose
 // spectrum falls fast beyond the lattice's own frequency.
 void add_octave(std::vector<float>& grey, int side, int cells, std::mt19937& random) {
@@ -102,18 +108,27 @@ float TileTexture::at(double u_mm, double v_mm, double footprint_mm) const {
         ++which;
         texel *= 2.0;
     }
-    const Level& level = levels_[which];
-    const auto u = static_cast<float>(u_mm / texel - 0.5);
-    const auto v = static_cast<float>(v_mm / texel - 0.5);
-    const float fu = std::floor(u);
-    const float fv = std::floor(v);
+    return between(levels_[which], static_cast<float>(u_mm / texel),
+                   static_cast<float>(v_mm / texel));
+}
+
+float TileTexture::at(float u_mm, float v_mm) const {
+    const auto texels = static_cast<float>(1.0 / texel_mm_);
+    return between(levels_.front(), u_mm * texels, v_mm * texels);
+}
+
+float TileTexture::between(const Level& level, float u_texels, float v_texels) {
+    const float u = u_texels - 0.5F;
+    const float v = v_texels - 0.5F;
+    const int iu = whole(u);
+    const int iv = whole(v);
     const int mask = level.side - 1;  // sides are powers of two
-    const int x0 = static_cast<int>(fu) & mask;
-    const int y0 = static_cast<int>(fv) & mask;
+    const int x0 = iu & mask;
+    const int y0 = iv & mask;
     const int x1 = (x0 + 1) & mask;
     const int y1 = (y0 + 1) & mask;
-    const float a = u - fu;
-    const float b = v - fv;
+    const float a = u - static_cast<float>(iu);
+    const float b = v - static_cast<float>(iv);
     const float* g = level.grey.data();
     return (1 - b) * ((1 - a) * g[index(level.side, x0, y0)] + a * g[index(level.side, x1, y0)]) +
            b * ((1 - a) * g[index(level.side, x0, y1)] + a * g[index(level.side, x1, y1)]);

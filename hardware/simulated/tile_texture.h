@@ -23,13 +23,18 @@ class TileTexture {
     TileTexture(const Options& options, std::uint32_t seed);
 
     /// The grey level at (u, v), mean over about `footprint_mm` across.
-    float at(double u_mm, double v_mm, double footprint_mm = 0.0) const;
+    float at(double u_mm, double v_mm, double footprint_mm) const;
+
+    /// The grey level of the pattern itself at (u, v).
+    float at(float u_mm, float v_mm) const;
 
   private:
     struct Level {
         int side = 0;
         std::vector<float> grey;
     };
+
+    static float between(const Level& level, float u_texels, float v_texels);
 
     double texel_mm_;
     std::vector<Level> levels_;  // each half as wide as the one before

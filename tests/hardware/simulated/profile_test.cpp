@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hardware/simulated/simulated_profile.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace kambara {
+namespace {
+
+TEST(SimulatedProfile, ReadsItsKeys) {
+    const auto profile = simulated_profile(
+        "default?seed=3&noise=1.5&particles=0&haze=0&medium=water&frames=300&rate=25");
+    ASSERT_TRUE(profile.ok()) << profile.error().text();
+    EXPECT_EQ(profile->name, "default");
+    EXPECT_EQ(profile->seed, 3U);
+    EXPECT_EQ(profile->noise_grey, 1.5);
+    EXPECT_EQ(profile->particles, 0);
+    EXPECT_EQ(profile->haze_per_m, 0.0);
+    EXPECT_EQ(profile->medium, Medium::water);
+    EXPECT_EQ(profile->frames, 300);
+    EXPECT_EQ(profile->rate_hz, 25.0);
+    EXPECT_FALSE(profile->calibration_target);
+}
+
+TEST(SimulatedProfile, ShowsCalibrationTargets) {
+    EXPECT_EQ(simulated_profile("chessboard")->calibration_target,
+              Target(ChessboardTarget{9, 6, 30.0}));
+    EXPECT_EQ(simulated_profile("chessboard?target=chessboard:7x5:40")->calibration_target,
+              Target(ChessboardTarget{7, 5, 40.0}));
+    EXPECT_EQ(simulated_profile("two-plane-24")->calibration_target, Target(TwoPlaneTarget{}));
+}
+
+TEST(SimulatedProfile, RefusesWhatItDoesNotKnowAndSaysWhatThereIs) {
+    for (const char* text :
+         {"", "ocean", "default?depth=3", "default?seed", "default?seed=", "default?seed=-1",
+          "default?seed=4294967296", "default?noise=nan", "default?haze=inf", "default?rate=0",
+          "default?rate=1e9", "default?frames=0", "default?particles=1e3", "default?medium=oil",
+          "default?noise=1&&seed=2", "default?noise=1 ", "default?target=chessboard:9x6:30",
+          "chessboard?target=chessboard:1x1:30"}) {
+        const auto profile = simulated_profile(text);
+        ASSERT_FALSE(profile.ok()) << text;
+        EXPECT_NE(profile.error().remedy.find("two-plane-24"), std::string::npos) << text;
+        EXPECT_NE(profile.error().remedy.find("medium"), std::string::npos) << text;
+    }
+    const auto absurd = simulated_profile("default?rate=-5");
+    EXPECT_NE(absurd.error().cause.find("\"rate=-5\""), std::string::npos);
+    EXPECT_NE(absurd.error().cause.find("0.1"), std::string::npos) << "the limits are named";
+}
+
+}  // namespace
+}  // namespace kambara
