@@ -41,29 +41,36 @@ void CameraView::draw_seabed(std::vector<float>& grey, const RigidTransform& T_c
     const RigidTransform T_rig_from_camera = T_camera_from_rig.inverse();
     const double spread = 1.0 / pinhole_parameters(camera_.lens).fx_px / samples;
     const std::size_t stride = static_cast<std::size_t>(camera_.width_px + 2);
+    // Between four exact rays the slope is as good as linear: over one pixel a lens bends by about
+    // a thousandth of a pixel. A sample is so far on from the first of its four.
+    struct Sample {
+        int x, y;
+        float a, b;
+    };
+    std::vector<Sample> places;
+    for (int i = 0; i < samples * samples; ++i) {
+        const double dx = (i % samples + 0.5) / samples - 0.5;
+        const double dy = (i / samples + 0.5) / samples - 0.5;
+        places.push_back({dx < 0 ? -1 : 0, dy < 0 ? -1 : 0,
+                          static_cast<float>(dx < 0 ? dx + 1 : dx),
+                          static_cast<float>(dy < 0 ? dy + 1 : dy)});
+    }
     grey.clear();
     grey.reserve(static_cast<std::size_t>(camera_.width_px) *
                  static_cast<std::size_t>(camera_.height_px));
     for (int y = 0; y < camera_.height_px; ++y) {
         for (int x = 0; x < camera_.width_px; ++x) {
             float sum = 0.0F;
-            for (int i = 0; i < samples * samples; ++i) {
-                // Between four exact rays the slope is as good as linear: over one pixel a lens
-                // bends by about a thousandth of a pixel.
-                const float dx =
-                    (static_cast<float>(i % samples) + 0.5F) / static_cast<float>(samples) - 0.5F;
-                const float dy =
-                    (static_cast<float>(i / samples) + 0.5F) / static_cast<float>(samples) - 0.5F;
-                const Eigen::Vector2f* s = slopes_from(dx < 0 ? x - 1 : x, dy < 0 ? y - 1 : y);
-                const float a = dx < 0 ? dx + 1 : dx;
-                const float b = dy < 0 ? dy + 1 : dy;
-                const Eigen::Vector2f slope = (1 - b) * ((1 - a) * s[0] + a * s[1]) +
-                                              b * ((1 - a) * s[stride] + a * s[stride + 1]);
+            for (const Sample& at : places) {
+                const Eigen::Vector2f* s = slopes_from(x + at.x, y + at.y);
+                const Eigen::Vector2f slope =
+                    (1 - at.b) * ((1 - at.a) * s[0] + at.a * s[1]) +
+                    at.b * ((1 - at.a) * s[stride] + at.a * s[stride + 1]);
                 const Eigen::Vector3d direction(slope.x(), slope.y(), 1.0);
                 sum += scene_.seabed_along(
                     {T_rig_from_camera.t_mm, T_rig_from_camera.R * direction.normalized()}, spread);
             }
-            grey.push_back(sum / static_cast<float>(samples * samples));
+            grey.push_back(sum / static_cast<float>(places.size()));
         }
     }
 }

@@ -103,13 +103,13 @@ TileTexture::TileTexture(const Options& options, std::uint32_t seed) : texel_mm_
 
 float TileTexture::at(double u_mm, double v_mm, double footprint_mm) const {
     std::size_t which = 0;
-    double texel = texel_mm_;
-    while (which + 1 < levels_.size() && texel < footprint_mm) {
+    double texels_per_mm = 1.0 / texel_mm_;
+    while (which + 1 < levels_.size() && footprint_mm * texels_per_mm > 1.0) {
         ++which;
-        texel *= 2.0;
+        texels_per_mm *= 0.5;
     }
-    return between(levels_[which], static_cast<float>(u_mm / texel),
-                   static_cast<float>(v_mm / texel));
+    return between(levels_[which], static_cast<float>(u_mm * texels_per_mm),
+                   static_cast<float>(v_mm * texels_per_mm));
 }
 
 float TileTexture::at(float u_mm, float v_mm) const {
