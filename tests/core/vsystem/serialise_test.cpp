@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/vsystem/serialise.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace kambara {
+namespace {
+
+const std::vector<Command> all_commands{
+    SelectTemplate{{3, 4, 21, 31}, std::nullopt},
+    SelectTemplate{{0, 0, 7, 7}, 9'000'000'000'000},
+    StartTracking{},
+    StopTracking{},
+    UpdateTemplate{},
+    ClearTemplate{},
+    MoveHead{{0.1, -1.0 / 3.0}},
+    SteerHead{false},
+    SteerHead{true},
+    CaptureView{},
+    Calibrate{"chessboard:9x6:30"},
+    Flow{Flow::Kind::run},
+    Flow{Flow::Kind::pause},
+    Flow{Flow::Kind::step},
+};
+
+TEST(Serialise, EveryCommandComesBackAsItWas) {
+    ASSERT_EQ(std::variant_size_v<Command>, 10U) << "add the new command to the list above";
+    for (const Command& command : all_commands) {
+        const auto back = command_from_json(to_json(command));
+        ASSERT_TRUE(back) << back.error().text();
+        EXPECT_EQ(*back, command) << to_json(command);
+    }
+}
+
+TEST(Serialise, RepliesAndEventsComeBackAsTheyWere) {
+    const CalibrationOutcome outcome{
+        "usable", {"one \"reason\"", "another"}, 9, 0.21, 99.8, "kambara_rig: 1\n"};
+    for (const Reply& reply : {Reply(Done{}), Reply(outcome)}) {
+        const auto back = reply_from_json(to_json(reply));
+        ASSERT_TRUE(back);
+        EXPECT_EQ(*back, reply);
+    }
+    const Event event{Event::Kind::warning, 12, -5, "Tracking -> Lost: why"};
+    const auto back = event_from_json(to_json(event));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(*back, event);
+}
+
+Snapshot full_snapshot() {
+    Snapshot snapshot;
+    snapshot.frame = 77;
+    snapshot.time_ns = 2'566'666'667;
+    snapshot.run = RunState::failed;
+    snapshot.failure = Error{"The cause.", "The remedy."};
+    snapshot.rate_hz = 29.97;
+    snapshot.processing_ms = 1.25;
+    snapshot.frames_lost = std::numeric_limits<std::uint64_t>::max();
+    TrackSnapshot track{1, {}};
+    track.estimate.state = TrackState::doubtful;
+    track.estimate.reason = "the match is only 65 % alike";
+    track.estimate.left_px = Eigen::Vector2d(1.0 / 3.0, 2.5);
+    track.estimate.right_px = Eigen::Vector2d(-4.25, 1e-17);
+    track.estimate.quality = 0.65;
+    track.estimate.template_size_px = {21, 31};
+    track.estimate.template_updates = 3;
+    Position position;
+    position.point_in_left_mm = {1.1, -2.2, 1500.7};
+    position.covariance_mm2 << 1, 0.1, 0.2, 0.1, 2, 0.3, 0.2, 0.3, 3;
+    position.residual_px = 0.04;
+    position.parallax_rad = 0.3;
+    track.estimate.position = position;
+    snapshot.tracks = {track, TrackSnapshot{2, {}}};
+    snapshot.head = HeadSnapshot{{0.2, -0.1}, HeadAngles{0.3, -0.2}, true, false, true, "cable"};
+    return snapshot;
+}
+
+TEST(Serialise, ASnapshotComesBackAsItWas) {
+    for (const Snapshot& snapshot : {full_snapshot(), Snapshot{}}) {
+        const std::string text = to_json(snapshot);
+        const auto back = snapshot_from_json(text);
+        ASSERT_TRUE(back) << back.error().text();
+        EXPECT_EQ(to_json(*back), text);  // every field that is written
+        EXPECT_EQ(back->frame, snapshot.frame);
+        EXPECT_EQ(back->run, snapshot.run);
+        EXPECT_EQ(back->failure, snapshot.failure);
+        EXPECT_EQ(back->head, snapshot.head);
+        EXPECT_EQ(back->frames_lost, snapshot.frames_lost);
+        ASSERT_EQ(back->tracks.size(), snapshot.tracks.size());
+        if (!snapshot.tracks.empty()) {
+            const TrackEstimate& a = back->tracks[0].estimate;
+            const TrackEstimate& b = snapshot.tracks[0].estimate;
+            EXPECT_EQ(a.state, b.state);
+            EXPECT_EQ(*a.left_px, *b.left_px);
+            EXPECT_EQ(a.position->covariance_mm2, b.position->covariance_mm2);
+        }
+    }
+}
+
+TEST(Serialise, RefusesWhatIsMissingMistypedOrUnknown) {
+    const std::pair<const char*, const char*> bad[] = {
+        {"", "not valid JSON"},
+        {"[]", "command"},
+        {R"({"command":"dance"})", "dance"},
+        {R"({"command":"select_template","rectangle_px":[1,2,3]})", "rectangle_px"},
+        {R"({"command":"select_template","rectangle_px":[1,2,3,4.5]})", "wrong type"},
+        {R"({"command":"select_template","rectangle_px":[1,2,3,4000000000]})", "wrong type"},
+        {R"({"command":"move_head","pan_rad":"left","tilt_rad":0})", "pan_rad"},
+        {R"({"command":"move_head","pan_rad":0})", "tilt_rad"},
+        {R"({"command":"flow","kind":"sideways"})", "kind"},
+    };
+    for (const auto& [text, named] : bad) {
+        const auto command = command_from_json(text);
+        ASSERT_FALSE(command) << text;
+        EXPECT_NE(command.error().cause.find(named), std::string::npos) << command.error().cause;
+        EXPECT_FALSE(command.error().remedy.empty());
+    }
+}
+
+// Any damage to a good text is either refused or read; it never crashes.
+TEST(Serialise, SurvivesDamagedTexts) {
+    std::mt19937 random(1);
+    const std::string good = to_json(full_snapshot());
+    for (int round = 0; round < 3000; ++round) {
+        std::string text = good;
+        for (int i = 0; i < 3; ++i) {
+            text[random() % text.size()] = static_cast<char>(random() % 256);
+        }
+        const auto back = snapshot_from_json(text);
+        if (!back) {
+            EXPECT_FALSE(back.error().cause.empty());
+        }
+        (void)command_from_json(text).ok();
+    }
+}
+
+}  // namespace
+}  // namespace kambara

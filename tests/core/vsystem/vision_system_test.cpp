@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/vsystem/vision_system.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/camera/nominal_rig.h"
+#include "core/pointing/aim.h"
+#include "tests/support/list_grabber.h"
+#include "tests/support/textured_plane.h"
+
+namespace kambara {
+namespace {
+
+using testing_support::drawn_pair;
+using testing_support::ListGrabber;
+using testing_support::TexturedPlane;
+
+constexpr Rectangle rectangle{300, 230, 31, 31};
+
+// A head that is at once where it is told to look, and remembers what it was told.
+class InstantHead final : public PanTiltCamera {
+  public:
+    std::string name() const override { return "instant"; }
+    HeadLimits limits() const override { return {}; }
+    Result<Done> move_to(const HeadAngles& angles) override {
+        std::lock_guard lock(mutex_);
+        angles_ = angles;
+        ++moves_;
+        return Done{};
+    }
+    Result<Done> halt() override { return Done{}; }
+    Result<HeadStatus> status() override {
+        std::lock_guard lock(mutex_);
+        return HeadStatus{angles_, false, 0};
+    }
+    int moves() const {
+        std::lock_guard lock(mutex_);
+        return moves_;
+    }
+
+  private:
+    mutable std::mutex mutex_;
+    HeadAngles angles_;
+    int moves_ = 0;
+};
+
+// The plane's pictures are drawn once for all tests.
+const std::vector<StereoFrame>& recording() {
+    static const std::vector<StereoFrame> pairs = [] {
+        std::vector<StereoFrame> drawn_pairs;
+        for (int i = 0; i < 5; ++i) {
+            TexturedPlane plane{{10.0 * i, 6.0 * i, 1400.0}};
+            drawn_pairs.push_back(drawn_pair(plane, nominal_rig(), i));
+        }
+        return drawn_pairs;
+    }();
+    return pairs;
+}
+
+class VisionSystemTest : public testing::Test {
+  protected:
+    Result<std::unique_ptr<VsystemInterface>> open(std::size_t left, std::size_t right,
+                                                   std::optional<Error> failure = std::nullopt,
+                                                   bool paused = true) {
+        std::vector<Frame> lefts;
+        std::vector<Frame> rights;
+        for (std::size_t i = 0; i < left; ++i) {
+            lefts.push_back(recording()[i].left);
+        }
+        for (std::size_t i = 0; i < right; ++i) {
+            rights.push_back(recording()[i].right);
+        }
+        head_ = std::make_shared<InstantHead>();
+        VisionSystemParts parts{nominal_rig(), {}, head_};
+        parts.grabbers.left = std::make_unique<ListGrabber>(lefts, 640, 480, failure);
+        parts.grabbers.right = std::make_unique<ListGrabber>(rights, 640, 480, failure);
+        VisionSystemOptions options;
+        options.every_frame = true;
+        options.start_paused = paused;
+        return open_vision_system(std::move(parts), options, clock_);
+    }
+
+    // Lets it run and waits until the source is over.
+    static SnapshotPtr run_out(VsystemInterface& system) {
+        std::mutex mutex;
+        std::condition_variable over;
+        bool done = false;
+        const auto observation = system.observe([&](const SnapshotPtr& snapshot) {
+            std::lock_guard lock(mutex);
+            done = snapshot->run == RunState::ended || snapshot->run == RunState::failed;
+            over.notify_all();
+        });
+        EXPECT_TRUE(system.execute(Flow{Flow::Kind::run}));
+        std::unique_lock lock(mutex);
+        over.wait(lock, [&] { return done; });
+        return system.latest();
+    }
+
+    SteadyClock clock_;
+    std::shared_ptr<InstantHead> head_;
+};
+
+TEST_F(VisionSystemTest, HoldsTheFirstPairUntilToldToRun) {
+    auto system = open(5, 5);
+    ASSERT_TRUE(system);
+    EXPECT_EQ((*system)->latest()->frame, 0);
+    EXPECT_EQ((*system)->latest()->run, RunState::paused);
+    EXPECT_TRUE((*system)->latest()->tracks.empty());
+    const auto images = (*system)->images();
+    ASSERT_TRUE(images);
+    EXPECT_EQ(images->stereo.left.picture, recording()[0].left.picture);
+}
+
+TEST_F(VisionSystemTest, TracksPositionsAndSteersFromTheFirstPairOn) {
+    auto opened = open(5, 5);
+    ASSERT_TRUE(opened);
+    VsystemInterface& system = **opened;
+    std::vector<std::int64_t> frames;
+    std::vector<TrackEstimate> estimates;
+    std::vector<std::string> events;
+    ASSERT_TRUE(system.execute(SelectTemplate{rectangle, std::nullopt}));
+    EXPECT_EQ(system.latest()->tracks.at(0).estimate.state, TrackState::template_set);
+    const auto seen = system.observe([&](const SnapshotPtr& snapshot) {
+        if (snapshot->run != RunState::ended &&
+            (frames.empty() || snapshot->frame != frames.back())) {
+            frames.push_back(snapshot->frame);
+            estimates.push_back(snapshot->tracks.at(0).estimate);
+        }
+    });
+    const auto heard =
+        system.observe_events([&](const Event& event) { events.push_back(event.text); });
+    ASSERT_TRUE(system.execute(StartTracking{}));
+    const SnapshotPtr last = run_out(system);
+    EXPECT_EQ(last->run, RunState::ended);
+    EXPECT_EQ(frames, (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
+    for (const TrackEstimate& estimate : estimates) {
+        EXPECT_EQ(estimate.state, TrackState::tracking) << estimate.reason;
+        EXPECT_TRUE(estimate.position);
+    }
+    ASSERT_GE(events.size(), 2U);
+    EXPECT_EQ(events.front(), "TemplateSet -> Tracking");
+    ASSERT_TRUE(last->head && last->tracks[0].estimate.position);
+    EXPECT_LT(aiming_error_rad(system.rig(), last->head->angles,
+                               last->tracks[0].estimate.position->point_in_left_mm),
+              rad_from_deg(0.2));
+    EXPECT_GT(head_->moves(), 0);
+    EXPECT_FALSE(system.execute(Flow{Flow::Kind::run}));  // the source is over
+}
+
+TEST_F(VisionSystemTest, RefusesCommandsAndChangesNothing) {
+    auto opened = open(2, 2);
+    ASSERT_TRUE(opened);
+    VsystemInterface& system = **opened;
+    EXPECT_FALSE(system.execute(StartTracking{}));
+    EXPECT_FALSE(system.execute(UpdateTemplate{}));
+    EXPECT_FALSE(system.execute(SelectTemplate{{630, 0, 31, 31}, std::nullopt}));
+    EXPECT_FALSE(system.execute(SelectTemplate{rectangle, 99}));
+    EXPECT_FALSE(system.execute(MoveHead{{3.0, 0.0}}));
+    EXPECT_FALSE(system.execute(Calibrate{"chessboard:9x6:30"}));
+    EXPECT_FALSE(system.execute(Calibrate{"no such target"}));
+    EXPECT_TRUE(system.latest()->tracks.empty());
+    EXPECT_EQ(head_->moves(), 0);
+}
+
+TEST_F(VisionSystemTest, TheOperatorTakesTheHeadAndHandsItBack) {
+    auto opened = open(5, 5);
+    ASSERT_TRUE(opened);
+    VsystemInterface& system = **opened;
+    ASSERT_TRUE(system.execute(SelectTemplate{rectangle, std::nullopt}));
+    ASSERT_TRUE(system.execute(MoveHead{{0.5, 0.1}}));
+    ASSERT_TRUE(system.execute(StartTracking{}));
+    EXPECT_FALSE(system.latest()->head->automatic);
+    EXPECT_EQ(system.latest()->head->angles, (HeadAngles{0.5, 0.1}));
+    ASSERT_TRUE(system.execute(SteerHead{true}));
+    run_out(system);
+    EXPECT_NE(system.latest()->head->angles, (HeadAngles{0.5, 0.1}));
+}
+
+TEST_F(VisionSystemTest, SelectsInAPairThatWasShownEarlier) {
+    auto opened = open(5, 5);
+    ASSERT_TRUE(opened);
+    VsystemInterface& system = **opened;
+    run_out(system);
+    ASSERT_TRUE(system.execute(SelectTemplate{rectangle, 1}));
+    ASSERT_TRUE(system.execute(StartTracking{}));
+    const TrackEstimate& estimate = system.latest()->tracks.at(0).estimate;
+    EXPECT_EQ(estimate.state, TrackState::tracking) << estimate.reason;
+    EXPECT_GT((*estimate.left_px - Eigen::Vector2d(315, 245)).norm(), 5.0);  // it has moved since
+}
+
+TEST_F(VisionSystemTest, SaysWhichRecordingEndedFirst) {
+    auto opened = open(5, 3);
+    ASSERT_TRUE(opened);
+    const SnapshotPtr last = run_out(**opened);
+    EXPECT_EQ(last->run, RunState::failed);
+    ASSERT_TRUE(last->failure);
+    EXPECT_NE(last->failure->cause.find("different lengths"), std::string::npos);
+    EXPECT_NE(last->failure->cause.find("3 frames"), std::string::npos);
+}
+
+TEST_F(VisionSystemTest, PassesOnASourcesFailure) {
+    const Error failure{"The disk is gone.", "Find it."};
+    auto opened = open(2, 2, failure);
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(run_out(**opened)->failure, failure);
+    EXPECT_EQ(open(0, 0, failure).error(), failure);
+    EXPECT_NE(open(0, 0).error().cause.find("no pictures"), std::string::npos);
+}
+
+TEST_F(VisionSystemTest, AnObserverMayExecuteCommands) {
+    auto opened = open(5, 5);
+    ASSERT_TRUE(opened);
+    VsystemInterface& system = **opened;
+    ASSERT_TRUE(system.execute(SelectTemplate{rectangle, std::nullopt}));
+    std::atomic<int> stopped{0};
+    const auto observation = system.observe([&](const SnapshotPtr& snapshot) {
+        if (snapshot->frame == 2 && stopped++ == 0) {
+            EXPECT_TRUE(system.execute(StopTracking{}));
+        }
+    });
+    ASSERT_TRUE(system.execute(StartTracking{}));
+    const SnapshotPtr last = run_out(system);
+    EXPECT_EQ(last->tracks.at(0).estimate.state, TrackState::template_set);
+}
+
+// Many hands at once: for the thread sanitizer as much as for the result.
+TEST_F(VisionSystemTest, BearsCommandsAndReadersFromManyThreads) {
+    auto opened = open(5, 5);
+    ASSERT_TRUE(opened);
+    VsystemInterface& system = **opened;
+    std::vector<std::jthread> hands;
+    for (int i = 0; i < 4; ++i) {
+        hands.emplace_back([&system, i] {
+            for (int k = 0; k < 6; ++k) {
+                (void)system.execute(SelectTemplate{rectangle, std::nullopt}).ok();
+                (void)system.execute(StartTracking{}).ok();
+                (void)system.execute(Flow{Flow::Kind::step}).ok();
+                (void)system.execute(MoveHead{{0.01 * i, 0.01 * k}}).ok();
+                const auto watch = system.observe([](const SnapshotPtr&) {});
+                EXPECT_TRUE(system.latest());
+                EXPECT_TRUE(system.images());
+            }
+        });
+    }
+    hands.clear();
+    EXPECT_GE(system.latest()->frame, 0);
+}
+
+}  // namespace
+}  // namespace kambara
