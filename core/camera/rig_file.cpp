@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -189,28 +190,43 @@ Rig read_rig(const YAML::Node& root) {
     return rig;
 }
 
+// The shortest text that reads back as the same number; a zero has no sign.
+std::string digits(double value) {
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, value == 0.0 ? 0.0 : value).ptr;
+    return {text, end};
+}
+
+std::vector<std::string> digits(const std::vector<double>& values) {
+    std::vector<std::string> texts;
+    for (const double value : values) {
+        texts.push_back(digits(value));
+    }
+    return texts;
+}
+
 void write_lens(YAML::Emitter& out, const TsaiLens& lens) {
     out << YAML::BeginMap << YAML::Key << "model" << YAML::Value << "tsai";
-    out << YAML::Key << "f_mm" << YAML::Value << lens.f_mm;
-    out << YAML::Key << "kappa1_per_mm2" << YAML::Value << lens.kappa1_per_mm2;
-    out << YAML::Key << "cx_px" << YAML::Value << lens.cx_px;
-    out << YAML::Key << "cy_px" << YAML::Value << lens.cy_px;
-    out << YAML::Key << "sx" << YAML::Value << lens.sx;
+    out << YAML::Key << "f_mm" << YAML::Value << digits(lens.f_mm);
+    out << YAML::Key << "kappa1_per_mm2" << YAML::Value << digits(lens.kappa1_per_mm2);
+    out << YAML::Key << "cx_px" << YAML::Value << digits(lens.cx_px);
+    out << YAML::Key << "cy_px" << YAML::Value << digits(lens.cy_px);
+    out << YAML::Key << "sx" << YAML::Value << digits(lens.sx);
     out << YAML::Key << "sensor" << YAML::Value << YAML::Flow << YAML::BeginMap;
-    out << YAML::Key << "dx_mm" << YAML::Value << lens.sensor.dx_mm;
-    out << YAML::Key << "dy_mm" << YAML::Value << lens.sensor.dy_mm;
-    out << YAML::Key << "ncx" << YAML::Value << lens.sensor.ncx;
-    out << YAML::Key << "nfx" << YAML::Value << lens.sensor.nfx;
+    out << YAML::Key << "dx_mm" << YAML::Value << digits(lens.sensor.dx_mm);
+    out << YAML::Key << "dy_mm" << YAML::Value << digits(lens.sensor.dy_mm);
+    out << YAML::Key << "ncx" << YAML::Value << digits(lens.sensor.ncx);
+    out << YAML::Key << "nfx" << YAML::Value << digits(lens.sensor.nfx);
     out << YAML::EndMap << YAML::EndMap;
 }
 
 void write_lens(YAML::Emitter& out, const BrownLens& lens) {
     out << YAML::BeginMap << YAML::Key << "model" << YAML::Value << "brown";
-    out << YAML::Key << "fx_px" << YAML::Value << lens.fx_px();
-    out << YAML::Key << "fy_px" << YAML::Value << lens.fy_px();
-    out << YAML::Key << "cx_px" << YAML::Value << lens.cx_px();
-    out << YAML::Key << "cy_px" << YAML::Value << lens.cy_px();
-    out << YAML::Key << "distortion" << YAML::Value << YAML::Flow << lens.distortion();
+    out << YAML::Key << "fx_px" << YAML::Value << digits(lens.fx_px());
+    out << YAML::Key << "fy_px" << YAML::Value << digits(lens.fy_px());
+    out << YAML::Key << "cx_px" << YAML::Value << digits(lens.cx_px());
+    out << YAML::Key << "cy_px" << YAML::Value << digits(lens.cy_px());
+    out << YAML::Key << "distortion" << YAML::Value << YAML::Flow << digits(lens.distortion());
     out << YAML::EndMap;
 }
 
@@ -224,11 +240,11 @@ void write_camera(YAML::Emitter& out, const char* name, const Camera& camera) {
     out << YAML::Key << "R" << YAML::Value << YAML::BeginSeq;
     for (int i = 0; i < 3; ++i) {
         const Eigen::RowVector3d row = camera.T_camera_from_rig.R.row(i);
-        out << YAML::Flow << std::vector<double>{row[0], row[1], row[2]};
+        out << YAML::Flow << digits(std::vector<double>{row[0], row[1], row[2]});
     }
     const Eigen::Vector3d& t = camera.T_camera_from_rig.t_mm;
     out << YAML::EndSeq << YAML::Key << "t_mm" << YAML::Value << YAML::Flow
-        << std::vector<double>{t[0], t[1], t[2]} << YAML::EndMap << YAML::EndMap;
+        << digits(std::vector<double>{t[0], t[1], t[2]}) << YAML::EndMap << YAML::EndMap;
 }
 
 }  // namespace
@@ -246,7 +262,6 @@ Result<Rig> rig_from_text(std::string_view text) {
 
 std::string rig_to_text(const Rig& rig) {
     YAML::Emitter out;
-    out.SetDoublePrecision(17);
     out << YAML::BeginMap;
     out << YAML::Key << "kambara_rig" << YAML::Value << rig_file_version;
     out << YAML::Key << "units" << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key
@@ -258,10 +273,10 @@ std::string rig_to_text(const Rig& rig) {
     out << YAML::Key << "created" << YAML::Value << YAML::DoubleQuoted << from.created;
     out << YAML::Key << "program" << YAML::Value << YAML::DoubleQuoted << from.program;
     if (from.stereo_rms_px) {
-        out << YAML::Key << "stereo_rms_px" << YAML::Value << *from.stereo_rms_px;
+        out << YAML::Key << "stereo_rms_px" << YAML::Value << digits(*from.stereo_rms_px);
     }
     if (from.baseline_sigma_mm) {
-        out << YAML::Key << "baseline_sigma_mm" << YAML::Value << *from.baseline_sigma_mm;
+        out << YAML::Key << "baseline_sigma_mm" << YAML::Value << digits(*from.baseline_sigma_mm);
     }
     out << YAML::EndMap << YAML::Key << "cameras" << YAML::Value << YAML::BeginMap;
     write_camera(out, "left", rig.left);

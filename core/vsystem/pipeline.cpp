@@ -178,7 +178,8 @@ void Pipeline::steer(const std::optional<Position>& position) {
         return;
     }
     const HeadAngles wanted = angles_towards(rig_, position->point_in_left_mm);
-    if (const auto command = steering_.command_for(wanted, commanded_, images_.stereo.left.time_ns)) {
+    if (const auto command =
+            steering_.command_for(wanted, commanded_, images_.stereo.left.time_ns)) {
         head_->command(*command);
         commanded_ = command;
     }

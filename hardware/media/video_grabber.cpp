@@ -2,7 +2,9 @@
 #include "hardware/media/video_grabber.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <mutex>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/videoio.hpp>
 #include <utility>
@@ -15,6 +17,20 @@ struct VideoGrabber::Video {
     cv::VideoCapture capture;
     std::int64_t announced_frames = 0;  // 0 where the container does not say
 };
+
+namespace {
+
+// The decoders behind OpenCV would write on the terminal what is told as an Error here. They read
+// this setting once, when the first video is opened.
+void quieten_decoders() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", /*overwrite=*/0);
+        cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    });
+}
+
+}  // namespace
 
 VideoGrabber::VideoGrabber(std::unique_ptr<Video> video, GrabberInfo info)
     : video_(std::move(video)), info_(std::move(info)) {}
@@ -30,7 +46,7 @@ Result<std::unique_ptr<GrabberBase>> VideoGrabber::open(const std::string& file,
     if (std::filesystem::is_directory(file, code)) {
         return Error{file + " is a folder.", "Name its pictures, for example " + file + "/*.png."};
     }
-    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    quieten_decoders();
     auto video = std::make_unique<Video>();
     bool opened = false;
     try {

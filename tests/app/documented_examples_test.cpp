@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The examples of resources/README.md are read by the code that they are written for.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/cli/track_table.h"
+#include "app/cli/triangulate_command.h"
+#include "core/calibration/target.h"
+#include "core/camera/nominal_rig.h"
+#include "core/camera/rig_file.h"
+#include "core/vsystem/serialise.h"
+#include "hardware/simulated/simulated_profile.h"
+#include "tests/support/process.h"
+
+namespace kambara {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path resources = fs::path(KAMBARA_SOURCE) / "resources";
+
+// The fenced block after the comment that names it.
+std::string example(const std::string& name) {
+    const std::string page = testing_support::text_of(resources / "README.md");
+    const auto mark = page.find("<!-- example: " + name + " -->");
+    EXPECT_NE(mark, std::string::npos) << name;
+    const auto fence = page.find("```", mark);
+    const auto begin = page.find('\n', fence) + 1;
+    return page.substr(begin, page.find("```", begin) - begin);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    std::string line;
+    while (std::getline(stream, line)) {
+        lines.push_back(line);
+    }
+    EXPECT_FALSE(lines.empty());
+    return lines;
+}
+
+TEST(DocumentedExamples, TheRigFileIsTheNominalRig) {
+    const auto rig = rig_from_text(example("rig"));
+    ASSERT_TRUE(rig) << rig.error().text();
+    EXPECT_EQ(rig->left.lens, nominal_rig().left.lens);
+    EXPECT_NEAR(baseline_mm(*rig), 450.0, 1e-9);
+}
+
+TEST(DocumentedExamples, TheRigFilesBesideThePageAreTheNominalRigs) {
+    for (const auto& [name, medium] :
+         {std::pair{"nominal-air.yaml", Medium::air}, {"nominal-water.yaml", Medium::water}}) {
+        const auto rig = read_rig_file(resources / "rigs" / name);
+        ASSERT_TRUE(rig) << rig.error().text();
+        EXPECT_EQ(rig_to_text(*rig), rig_to_text(nominal_rig(medium)));
+    }
+}
+
+TEST(DocumentedExamples, TargetsAndProfilesAreUnderstood) {
+    for (const std::string& line : lines_of(example("target"))) {
+        const auto target = parse_target(line);
+        ASSERT_TRUE(target) << line;
+        EXPECT_EQ(to_string(*target), line);
+    }
+    for (const std::string& line : lines_of(example("profile"))) {
+        EXPECT_TRUE(simulated_profile(line)) << line;
+    }
+}
+
+TEST(DocumentedExamples, TheTrackTableHasTheHeaderThatIsWritten) {
+    const auto lines = lines_of(example("track"));
+    EXPECT_EQ(lines.front() + "\n", cli::track_table_header());
+    const std::string row = cli::track_table_row(Snapshot{});
+    for (const std::string& line : {lines[1], row}) {
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','), 16) << line;
+    }
+}
+
+TEST(DocumentedExamples, PointsAreRead) {
+    const fs::path folder = testing_support::fresh_folder("documented_points");
+    std::ofstream(folder / "points.txt") << example("points");
+    const auto outcome =
+        cli::run_triangulate({resources / "rigs/nominal-air.yaml", folder / "points.txt"});
+    EXPECT_FALSE(outcome.failure) << outcome.failure->text();
+    fs::remove_all(folder);
+}
+
+TEST(DocumentedExamples, LinkMessagesAreRead) {
+    const auto commands = lines_of(example("commands"));
+    EXPECT_EQ(commands.size(), std::variant_size_v<Command>);
+    for (const std::string& line : commands) {
+        const auto command = command_from_json(line);
+        EXPECT_TRUE(command) << line;
+    }
+    const auto snapshot = snapshot_from_json(example("snapshot"));
+    ASSERT_TRUE(snapshot) << snapshot.error().text();
+    EXPECT_EQ(snapshot->tracks.at(0).estimate.state, TrackState::tracking);
+    EXPECT_TRUE(event_from_json(example("events")));
+}
+
+}  // namespace
+}  // namespace kambara
