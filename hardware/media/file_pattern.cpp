@@ -111,10 +111,12 @@ Result<std::vector<fs::path>> files_of_wildcard(const fs::path& pattern) {
     if (!fs::is_directory(folder, code)) {
         return Error{"There is no folder " + folder.string() + ".", "Check the name."};
     }
+    const std::string wanted = pattern.filename().string();
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder, code)) {
-        if (fits(entry.path().filename().c_str(), pattern.filename().c_str()) &&
-            entry.is_regular_file(code)) {
+        const std::string name = entry.path().filename().string();
+        const bool hidden = name.starts_with('.') && !wanted.starts_with('.');
+        if (!hidden && fits(name.c_str(), wanted.c_str()) && entry.is_regular_file(code)) {
             files.push_back(pattern.has_parent_path() ? entry.path() : entry.path().filename());
         }
     }

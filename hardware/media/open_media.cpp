@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <system_error>
 
 #include "hardware/media/picture_grabber.h"
 #include "hardware/media/video_grabber.h"
@@ -13,7 +14,9 @@ namespace kambara {
 namespace {
 
 bool names_pictures(const std::string& source) {
-    if (source.find_first_of("*?%") != std::string::npos) {
+    std::error_code code;
+    if (source.find_first_of("*?%") != std::string::npos &&
+        !std::filesystem::exists(source, code)) {
         return true;
     }
     constexpr std::array endings{".png", ".jpg", ".jpeg", ".pgm",  ".ppm",
@@ -28,6 +31,10 @@ bool names_pictures(const std::string& source) {
 
 Result<std::unique_ptr<GrabberBase>> open_media(const std::string& source,
                                                 const MediaOptions& options) {
+    if (options.start < 0) {
+        return Error{"Frame " + std::to_string(options.start) + " does not exist.",
+                     "Frames are numbered from 0: start at 0 or later."};
+    }
     return names_pictures(source) ? PictureGrabber::open(source, options)
                                   : VideoGrabber::open(source, options);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hardware/media/picture_file.h"
 
-#include <algorithm>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -10,6 +9,7 @@
 
 #include "core/base/text_file.h"
 #include "core/image/opencv_view.h"
+#include "hardware/media/picture_completeness.h"
 
 namespace kambara {
 namespace {
@@ -30,20 +30,6 @@ Result<Done> write_encoded(const std::filesystem::path& path, const cv::Mat& pix
         path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
-// The decoders make the best of a file that ends too early, or complain on the terminal; whether a
-// PNG or a JPEG has its end is seen from its last bytes.
-bool cut_short(std::string_view bytes) {
-    const std::string_view tail =
-        bytes.substr(bytes.size() - std::min<std::size_t>(bytes.size(), 1024));
-    if (bytes.starts_with("\x89PNG")) {
-        return tail.find("IEND") == std::string_view::npos;
-    }
-    if (bytes.starts_with("\xff\xd8")) {
-        return tail.find("\xff\xd9") == std::string_view::npos;
-    }
-    return false;
-}
-
 }  // namespace
 
 Result<Image> read_picture(const std::filesystem::path& path) {
@@ -55,7 +41,7 @@ Result<Image> read_picture(const std::filesystem::path& path) {
                                 " can't be read as a picture: it is damaged, cut short "
                                 "or of another kind.",
                             "Check the file, or leave it out."};
-    if (bytes->empty() || cut_short(*bytes)) {
+    if (bytes->empty() || is_cut_short(*bytes)) {
         return undecodable;
     }
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);

@@ -10,11 +10,13 @@
 #include <utility>
 
 #include "core/image/opencv_view.h"
+#include "hardware/media/video_container.h"
 
 namespace kambara {
 
 struct VideoGrabber::Video {
     cv::VideoCapture capture;
+    VideoContainer container;
     std::int64_t announced_frames = 0;  // 0 where the container does not say
 };
 
@@ -48,6 +50,7 @@ Result<std::unique_ptr<GrabberBase>> VideoGrabber::open(const std::string& file,
     }
     quieten_decoders();
     auto video = std::make_unique<Video>();
+    video->container = video_container(file);
     bool opened = false;
     try {
         opened = video->capture.open(file, cv::CAP_FFMPEG);
@@ -100,7 +103,8 @@ Result<std::optional<Frame>> VideoGrabber::grab(std::stop_token stop) {
         // The same as a frame that could not be read.
     }
     if (!read) {
-        if (next_ >= video_->announced_frames) {
+        const bool count_binds = video_->container.counts_frames || video_->container.cut_short;
+        if (next_ >= video_->announced_frames || !count_binds) {
             return std::optional<Frame>();
         }
         failed_ = Error{"The video " + info_.name + " is cut short: it announces " +
