@@ -17,7 +17,8 @@ struct Pair {
     double worst_residual_px = 0.0;
 };
 
-// A lens with no more terms than allowed goes over as it is; any other is fitted.
+// A Brown lens with no more terms than allowed goes over as it is. Any other is fitted, with few
+// terms where they suffice: those are easier on who reads them.
 Result<FittedLens> in_terms(const Camera& camera, int terms) {
     if (const auto* brown = std::get_if<BrownLens>(&camera.lens)) {
         const auto& p = brown->parameters();
@@ -27,6 +28,10 @@ Result<FittedLens> in_terms(const Camera& camera, int terms) {
             return FittedLens{*brown, 0.0};
         }
     }
+    const auto few = fitted_brown(camera, std::min(terms, 5));
+    if (!few || few->worst_residual_px <= most_export_residual_px) {
+        return few;
+    }
     return fitted_brown(camera, terms);
 }
 
@@ -35,25 +40,19 @@ Result<Pair> pair_in_terms(const Rig& rig, int terms, const char* program) {
         return Error{"The rig file holds no right camera.",
                      "Only pairs of cameras can be converted."};
     }
-    // Fewer terms are easier on who reads them; more are taken only where they are needed.
-    const int choices[] = {std::min(terms, 5), terms};
-    Pair pair;
-    for (const int choice : choices) {
-        const auto left = in_terms(rig.left, choice);
-        const auto right = in_terms(*rig.right, choice);
-        if (!left || !right) {
-            return left ? right.error() : left.error();
-        }
-        pair = {left->lens, right->lens,
-                std::max(left->worst_residual_px, right->worst_residual_px)};
-        if (pair.worst_residual_px <= most_export_residual_px) {
-            return pair;
-        }
+    const auto left = in_terms(rig.left, terms);
+    const auto right = in_terms(*rig.right, terms);
+    if (!left || !right) {
+        return left ? right.error() : left.error();
     }
-    return Error{std::string("The lenses do not fit into ") + program + "'s model: " +
-                     std::to_string(pair.worst_residual_px) + " px remain at the worst place, " +
-                     std::to_string(most_export_residual_px) + " are allowed.",
-                 "Convert to a format with more distortion terms, such as opencv."};
+    const double worst_px = std::max(left->worst_residual_px, right->worst_residual_px);
+    if (worst_px > most_export_residual_px) {
+        return Error{std::string("The lenses do not fit into ") + program + "'s model: " +
+                         std::to_string(worst_px) + " px remain at the worst place, " +
+                         std::to_string(most_export_residual_px) + " are allowed.",
+                     "Convert to a format with more distortion terms, such as opencv."};
+    }
+    return Pair{left->lens, right->lens, worst_px};
 }
 
 std::string digits(double value) {
