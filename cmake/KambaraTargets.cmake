@@ -17,7 +17,9 @@ target_include_directories(kambara_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(kambara_options INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
 if(KAMBARA_SANITIZE)
     target_compile_options(kambara_options INTERFACE
-        -fsanitize=${KAMBARA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+        -fsanitize=${KAMBARA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g
+        # gcc 12 takes std::optional's storage for uninitialised once it is instrumented.
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(kambara_options INTERFACE -fsanitize=${KAMBARA_SANITIZE})
 endif()
 

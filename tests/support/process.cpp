@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -49,7 +50,9 @@ std::string text_of(const fs::path& file) {
 }
 
 fs::path fresh_folder(const std::string& name) {
-    const fs::path folder = fs::path(testing::TempDir()) / ("kambara_" + name);
+    // Tests run side by side, each in a process of its own.
+    const fs::path folder =
+        fs::path(testing::TempDir()) / ("kambara_" + name + "_" + std::to_string(getpid()));
     fs::remove_all(folder);
     fs::create_directories(folder);
     return folder;

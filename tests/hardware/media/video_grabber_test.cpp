@@ -134,7 +134,7 @@ TEST_F(VideoGrabberTest, KeepsTheTerminalQuietAboutDamage) {
 TEST(VideoGrabberRealDataTest, ReadsARealVideoToItsEnd) {
     const std::string file = std::string(KAMBARA_DATA) + "/hand_stereo_video/cam0_test.mp4";
     if (!std::filesystem::exists(file)) {
-        GTEST_SKIP() << "without the data folder: " << file;
+        GTEST_SKIP() << "skipped: there is no " << file;
     }
     const auto grabber = open_media(file, {.start = 370});
     ASSERT_TRUE(grabber) << grabber.error().cause;
