@@ -107,6 +107,7 @@ class TimedGrabber final : public GrabberBase {
         return frame;
     }
     GrabberInfo info() const override { return grabber_->info(); }
+    Result<Done> seek(std::int64_t index) override { return grabber_->seek(index); }
 
   private:
     std::unique_ptr<GrabberBase> grabber_;

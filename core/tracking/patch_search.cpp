@@ -26,10 +26,11 @@ struct Found {
 
 // Scores the drawn patch over shifts of up to (across, down) pixels from where it was drawn.
 std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, int across,
-                                 int down, const PatchSearchOptions& options) {
+                                 int down, const PatchSearchOptions& options,
+                                 SearchDetail* detail = nullptr) {
     const Rectangle positions{drawn.top_left.x() - across, drawn.top_left.y() - down,
                               2 * across + 1, 2 * down + 1};
-    const ScoreMap map = score_map(options.measure, grey, drawn.picture, positions);
+    ScoreMap map = score_map(options.measure, grey, drawn.picture, positions);
     const auto peak = best_peak(map, options.measure);
     if (!peak) {
         return std::nullopt;
@@ -44,6 +45,13 @@ std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, 
     if (const auto next = runner_up(map, options.measure, *peak, apart)) {
         found.match.distinctness =
             found.match.quality - quality(options.measure, *next, drawn.picture);
+    }
+    if (detail != nullptr) {
+        detail->measure = options.measure;
+        detail->map = std::move(map);
+        detail->template_size_px = found.match.size_px;
+        const double left_by_one = quality(Measure::sad, 1.0, drawn.picture);
+        detail->unlike_sad = left_by_one < 1.0 ? 1.0 / (1.0 - left_by_one) : 1.0;
     }
     return found;
 }
@@ -102,12 +110,12 @@ void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
 std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camera& left,
                                         const Camera& camera, const Image& grey,
                                         const Eigen::Vector3d& expected_in_rig_mm, int radius_px,
-                                        const PatchSearchOptions& options) {
+                                        const PatchSearchOptions& options, SearchDetail* detail) {
     const auto drawn = render_patch(patch, left, camera, expected_in_rig_mm);
     if (!drawn) {
         return std::nullopt;
     }
-    auto found = match_drawn(*drawn, grey, radius_px, radius_px, options);
+    auto found = match_drawn(*drawn, grey, radius_px, radius_px, options, detail);
     if (!found) {
         return std::nullopt;
     }

@@ -7,6 +7,7 @@
 #include "core/matching/measure.h"
 #include "core/tracking/epipolar_curve.h"
 #include "core/tracking/patch.h"
+#include "core/tracking/search_detail.h"
 
 namespace kambara {
 
@@ -30,11 +31,12 @@ struct PatchSearchOptions {
 /// point at `expected_in_rig_mm`, then refines: the patch is drawn again at the place found, until
 /// it no longer moves, so that the sub-pixel peak is sought around zero shift. `grey` is the
 /// picture of `camera`. The distance along the ray is kept as expected. Empty where there is no
-/// place to look at.
+/// place to look at. `detail`, where there is one, gets the scores of the window.
 std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camera& left,
                                         const Camera& camera, const Image& grey,
                                         const Eigen::Vector3d& expected_in_rig_mm, int radius_px,
-                                        const PatchSearchOptions& options);
+                                        const PatchSearchOptions& options,
+                                        SearchDetail* detail = nullptr);
 
 /// Looks for the patch in the right picture along the epipolar curve of its centre, in a band of
 /// `band_px` on both sides and between the bounds. `patch` was cut from the left picture of the

@@ -45,8 +45,11 @@ Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectang
     here.size_px = first_->size_px;
     here.covariance_px2 =
         options_.search.floor_px * options_.search.floor_px * Eigen::Matrix2d::Identity();
-    adopt(complete_from_left(rig_, options_, frame, SearchScope{first_->point_in_rig_mm}, here),
+    auto detail = std::make_shared<SearchDetail>();
+    adopt(complete_from_left(rig_, options_, frame, SearchScope{first_->point_in_rig_mm}, here,
+                             detail.get()),
           frame);
+    estimate_.search = std::move(detail);
     return Done{};
 }
 
@@ -60,6 +63,7 @@ Result<Done> StereoTracker::start() {
 
 void StereoTracker::stop() {
     started_ = false;
+    estimate_.search.reset();
     if (first_) {
         become(TrackState::template_set, "");
     }
@@ -123,18 +127,22 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
 // With both templates, the first decides unless it fits clearly worse.
 std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame,
                                                         const Eigen::Vector3d& expected_in_rig_mm,
-                                                        bool everywhere) const {
+                                                        bool everywhere) {
     const SearchScope scope{expected_in_rig_mm, range_known_, estimate_.state == TrackState::lost,
                             everywhere};
-    auto by_first = search_target(rig_, options_, *first_, frame, scope);
+    auto detail = std::make_shared<SearchDetail>();
+    auto by_first = search_target(rig_, options_, *first_, frame, scope, detail.get());
+    estimate_.search = std::move(detail);
     if (!latest_ || (by_first && by_first->quality >= options_.update_quality)) {
         return by_first;
     }
-    auto by_latest = search_target(rig_, options_, *latest_, frame, scope);
-    if (!by_first || !by_latest) {
-        return by_first ? by_first : by_latest;
+    detail = std::make_shared<SearchDetail>();
+    auto by_latest = search_target(rig_, options_, *latest_, frame, scope, detail.get());
+    if (!by_latest || (by_first && by_first->quality >= by_latest->quality - preferred_by)) {
+        return by_first;
     }
-    return by_first->quality >= by_latest->quality - preferred_by ? by_first : by_latest;
+    estimate_.search = std::move(detail);
+    return by_latest;
 }
 
 void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& frame) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "core/stereo/position.h"
 #include "core/tracking/patch.h"
 #include "core/tracking/predictor.h"
+#include "core/tracking/search_detail.h"
 #include "core/tracking/target_search.h"
 #include "core/tracking/track_state.h"
 
@@ -28,6 +30,7 @@ struct TrackEstimate {
     std::optional<Position> position;
     Eigen::Vector2i template_size_px = Eigen::Vector2i::Zero();
     int template_updates = 0;
+    std::shared_ptr<const SearchDetail> search;  ///< null while nothing is looked for
 };
 
 /// Follows one target through stereo pairs: window search left, epipolar search right, position.
@@ -68,7 +71,7 @@ class StereoTracker {
   private:
     std::optional<TargetMeasurement> measure(const StereoFrame& frame,
                                              const Eigen::Vector3d& expected_in_rig_mm,
-                                             bool everywhere) const;
+                                             bool everywhere);
     void adopt(const TargetMeasurement& measured, const StereoFrame& frame);
     void judge(const TargetMeasurement& measured);
     void anchor(const Eigen::Vector3d& point_in_rig_mm);

@@ -8,10 +8,10 @@ namespace {
 
 std::optional<PatchMatch> find_left(const Rig& rig, const TrackerOptions& options,
                                     const ReferencePatch& patch, const Image& grey,
-                                    const SearchScope& scope) {
+                                    const SearchScope& scope, SearchDetail* detail) {
     const auto look = [&](int radius_px) {
         return search_window(patch, rig.left, rig.left, grey, scope.expected_in_rig_mm, radius_px,
-                             options.search);
+                             options.search, detail);
     };
     const auto clear = [&](const std::optional<PatchMatch>& found) {
         return found && found->quality >= options.found_quality &&
@@ -83,7 +83,7 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
 
 TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
                                      const StereoFrame& frame, const SearchScope& scope,
-                                     const PatchMatch& left) {
+                                     const PatchMatch& left, SearchDetail* detail) {
     TargetMeasurement result;
     result.left = left;
     result.quality = left.quality;
@@ -94,6 +94,12 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
     }
     if (!rig.right || !frame.right.picture) {
         return result;  // one camera alone gives a direction, and that is no fault
+    }
+    if (detail != nullptr) {
+        for (const auto& sample :
+             epipolar_curve(rig, left.pixel, options.range, options.shown_step_px)) {
+            detail->epipolar_px.push_back(sample.right_px);
+        }
     }
     result.right = find_right(rig, options, frame, left, scope);
     if (!result.right || result.right->quality < options.lost_quality) {
@@ -120,12 +126,13 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
 
 std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOptions& options,
                                                const ReferencePatch& patch,
-                                               const StereoFrame& frame, const SearchScope& scope) {
-    const auto left = find_left(rig, options, patch, *frame.left.picture, scope);
+                                               const StereoFrame& frame, const SearchScope& scope,
+                                               SearchDetail* detail) {
+    const auto left = find_left(rig, options, patch, *frame.left.picture, scope, detail);
     if (!left) {
         return std::nullopt;
     }
-    return complete_from_left(rig, options, frame, scope, *left);
+    return complete_from_left(rig, options, frame, scope, *left, detail);
 }
 
 }  // namespace kambara

@@ -34,14 +34,16 @@ struct SearchScope {
 
 /// Looks for a patch: left in a window about the expected place (then in a wider one; once lost,
 /// everywhere if so told), right along the epipolar curve, then the position of both. Empty where
-/// the expected place can't be seen. Any thread.
+/// the expected place can't be seen. `detail`, where there is one, is told how it was looked for.
+/// Any thread.
 std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOptions& options,
                                                const ReferencePatch& patch,
-                                               const StereoFrame& frame, const SearchScope& scope);
+                                               const StereoFrame& frame, const SearchScope& scope,
+                                               SearchDetail* detail = nullptr);
 
 /// The second half of the above, for a left match that is known already.
 TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
                                      const StereoFrame& frame, const SearchScope& scope,
-                                     const PatchMatch& left);
+                                     const PatchMatch& left, SearchDetail* detail = nullptr);
 
 }  // namespace kambara

@@ -26,6 +26,7 @@ struct TrackerOptions {
     /// The distance taken until the right picture has told it.
     double assumed_range_mm = 1500.0;
     bool automatic_update = true;
+    double shown_step_px = 8.0;  ///< between the points of an epipolar curve that is shown
 };
 
 }  // namespace kambara

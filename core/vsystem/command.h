@@ -16,7 +16,8 @@ namespace kambara {
 /// What can be asked of the vision system: the primitives of 1999 (SYS-1) as plain values, so that
 /// they can come over a network as well.
 
-/// Cuts a template from the left picture. `frame` names the pair in which the operator saw the
+/// Cuts a template from the left picture. When tracking starts on one cut from an earlier pair, the
+/// pairs since then are followed first. `frame` names the pair in which the operator saw the
 /// target; it must be among those still remembered. Without it, the latest pair.
 struct SelectTemplate {
     Rectangle rectangle;
@@ -42,6 +43,10 @@ struct MoveHead {
     HeadAngles angles;
     bool operator==(const MoveHead&) const = default;
 };
+/// Stops the head where it is, at once, and leaves it to the operator.
+struct HaltHead {
+    bool operator==(const HaltHead&) const = default;
+};
 /// Hands the head to automatic steering (true) or to the operator (false).
 struct SteerHead {
     bool automatic = true;
@@ -64,8 +69,22 @@ struct Flow {
     bool operator==(const Flow&) const = default;
 };
 
-using Command = std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate,
-                             ClearTemplate, MoveHead, SteerHead, CaptureView, Calibrate, Flow>;
+/// Goes on with that frame of a recording and holds there. What was tracked is no longer followed:
+/// its template stays. Live sources refuse.
+struct Seek {
+    std::int64_t frame = 0;
+    bool operator==(const Seek&) const = default;
+};
+/// Remembers that pair, which must be among those still remembered, until another is held: an
+/// operator may look at it for as long as it takes to choose a template.
+struct HoldFrame {
+    std::int64_t frame = 0;
+    bool operator==(const HoldFrame&) const = default;
+};
+
+using Command =
+    std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate, ClearTemplate,
+                 MoveHead, HaltHead, SteerHead, CaptureView, Calibrate, Flow, Seek, HoldFrame>;
 
 /// What a calibration came to.
 struct CalibrationOutcome {

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <variant>
 
+#include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/devices/grabber_base.h"
 #include "core/vsystem/snapshot.h"
@@ -24,6 +25,13 @@ class FrameSource {
     virtual Result<NextImages> next(std::stop_token stop) = 0;
     /// Frames dropped because a newer one was there, and frames without a partner.
     virtual std::uint64_t frames_lost() const = 0;
+    /// How many pairs there are; -1 where that is not known or never ends.
+    virtual std::int64_t frames() const { return -1; }
+    /// Goes on with that frame. Refused by sources that can't be wound, which then stay as they
+    /// were.
+    virtual Result<Done> seek(std::int64_t /*frame*/) {
+        return Error{"Live pictures can't be wound to another frame.", "Open a recording."};
+    }
 };
 
 /// The grabbers of a system. `right` and `pan_tilt` may be null.
@@ -39,6 +47,12 @@ std::unique_ptr<FrameSource> make_sequential_source(Grabbers grabbers);
 
 /// For live cameras: a thread each; pairs left and right by time (within half a frame's time),
 /// gives the newest pair and counts what it passed over.
-std::unique_ptr<FrameSource> make_live_source(Grabbers grabbers);
+/// `clock` tells when they arrive and outlives the source.
+std::unique_ptr<FrameSource> make_live_source(Grabbers grabbers, const Clock& clock);
+
+/// Lets the sets of another source come no sooner than their time stamps say, on `clock`, which
+/// outlives it. After a break (a hold, a seek, a source that was late) it goes on from there
+/// without making up for the time.
+std::unique_ptr<FrameSource> make_paced_source(std::unique_ptr<FrameSource> source, Clock& clock);
 
 }  // namespace kambara

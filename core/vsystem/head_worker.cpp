@@ -32,6 +32,19 @@ void HeadWorker::command(const HeadAngles& angles) {
     commanded_.notify_one();
 }
 
+void HeadWorker::halt() {
+    if (threading_ == Threading::inline_calls) {
+        stop_moving();
+        return;
+    }
+    {
+        std::lock_guard lock(mutex_);
+        waiting_.reset();
+        halt_waits_ = true;
+    }
+    commanded_.notify_one();
+}
+
 HeadWorker::Reading HeadWorker::reading() {
     if (threading_ == Threading::inline_calls) {
         poll();
@@ -43,10 +56,16 @@ HeadWorker::Reading HeadWorker::reading() {
 void HeadWorker::run(std::stop_token stop) {
     while (!stop.stop_requested()) {
         std::optional<HeadAngles> angles;
+        bool halt = false;
         {
             std::unique_lock lock(mutex_);
-            commanded_.wait_for(lock, stop, poll_interval, [&] { return waiting_.has_value(); });
+            commanded_.wait_for(lock, stop, poll_interval,
+                                [&] { return waiting_.has_value() || halt_waits_; });
+            halt = std::exchange(halt_waits_, false);
             angles = std::exchange(waiting_, std::nullopt);
+        }
+        if (halt) {
+            stop_moving();
         }
         if (angles) {
             move(*angles);
@@ -59,6 +78,12 @@ void HeadWorker::move(const HeadAngles& angles) {
     const auto moved = head_->move_to(angles);
     std::lock_guard lock(mutex_);
     move_fault_ = moved ? std::string() : moved.error().text();
+}
+
+void HeadWorker::stop_moving() {
+    const auto halted = head_->halt();
+    std::lock_guard lock(mutex_);
+    move_fault_ = halted ? std::string() : halted.error().text();
 }
 
 void HeadWorker::poll() {

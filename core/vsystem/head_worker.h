@@ -32,11 +32,14 @@ class HeadWorker {
 
     HeadLimits limits() const { return limits_; }
     void command(const HeadAngles& angles);
+    /// Stops the head; angles that still wait are dropped.
+    void halt();
     Reading reading();
 
   private:
     void run(std::stop_token stop);
     void move(const HeadAngles& angles);
+    void stop_moving();
     void poll();
 
     std::shared_ptr<PanTiltCamera> head_;
@@ -45,6 +48,7 @@ class HeadWorker {
     std::mutex mutex_;
     std::condition_variable_any commanded_;
     std::optional<HeadAngles> waiting_;
+    bool halt_waits_ = false;
     HeadStatus status_;
     std::string move_fault_;
     std::string status_fault_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -20,7 +21,8 @@ constexpr std::chrono::milliseconds patience{50};
 
 class LiveSource final : public FrameSource {
   public:
-    explicit LiveSource(Grabbers grabbers) : grabbers_(std::move(grabbers)) {
+    LiveSource(Grabbers grabbers, const Clock& clock)
+        : grabbers_(std::move(grabbers)), clock_(clock) {
         const double rate_hz = grabbers_.left->info().rate_hz;
         tolerance_ns_ = rate_hz > 0.0 ? static_cast<std::int64_t>(0.5e9 / rate_hz) : 20'000'000;
         for (GrabberBase* grabber :
@@ -75,8 +77,13 @@ class LiveSource final : public FrameSource {
     }
 
   private:
+    struct Arrived {
+        Frame frame;
+        std::int64_t at_ns;
+    };
+
     struct Input {
-        std::deque<Frame> frames;
+        std::deque<Arrived> frames;
         std::optional<Error> error;
         bool ended = false;
         std::jthread thread;
@@ -87,13 +94,14 @@ class LiveSource final : public FrameSource {
         input.thread = std::jthread([this, &input, &grabber](std::stop_token stop) {
             while (!stop.stop_requested()) {
                 auto frame = grabber.grab(stop);
+                const std::int64_t now_ns = clock_.now_ns();
                 std::lock_guard lock(mutex_);
                 if (!frame) {
                     input.error = frame.error();
                 } else if (!*frame) {
                     input.ended = true;
                 } else if ((*frame)->valid) {
-                    input.frames.push_back(std::move(**frame));
+                    input.frames.push_back({std::move(**frame), now_ns});
                     if (input.frames.size() > frames_kept) {
                         input.frames.pop_front();
                         ++lost_;
@@ -123,28 +131,33 @@ class LiveSource final : public FrameSource {
         if (inputs_[1]) {
             auto& right = inputs_[1]->frames;
             while (!left.empty() && !right.empty() &&
-                   std::abs(left.front().time_ns - right.front().time_ns) > tolerance_ns_) {
-                auto& older = left.front().time_ns < right.front().time_ns ? left : right;
+                   std::abs(left.front().frame.time_ns - right.front().frame.time_ns) >
+                       tolerance_ns_) {
+                auto& older =
+                    left.front().frame.time_ns < right.front().frame.time_ns ? left : right;
                 older.pop_front();
                 ++lost_;
             }
             if (left.empty() || right.empty()) {
                 return std::nullopt;
             }
-            set.stereo.right = std::move(right.front());
+            set.stereo.right = std::move(right.front().frame);
+            set.arrived_ns = right.front().at_ns;
             right.pop_front();
         } else if (left.empty()) {
             return std::nullopt;
         }
-        set.stereo.left = std::move(left.front());
+        set.stereo.left = std::move(left.front().frame);
+        set.arrived_ns = std::max(set.arrived_ns, left.front().at_ns);
         left.pop_front();
         if (inputs_[2] && !inputs_[2]->frames.empty()) {
-            set.pan_tilt = inputs_[2]->frames.back();  // its instant matters less: the newest
+            set.pan_tilt = inputs_[2]->frames.back().frame;  // its instant matters less: the newest
         }
         return set;
     }
 
     Grabbers grabbers_;
+    const Clock& clock_;
     std::int64_t tolerance_ns_ = 0;
     mutable std::mutex mutex_;
     std::condition_variable_any arrived_;
@@ -154,8 +167,8 @@ class LiveSource final : public FrameSource {
 
 }  // namespace
 
-std::unique_ptr<FrameSource> make_live_source(Grabbers grabbers) {
-    return std::make_unique<LiveSource>(std::move(grabbers));
+std::unique_ptr<FrameSource> make_live_source(Grabbers grabbers, const Clock& clock) {
+    return std::make_unique<LiveSource>(std::move(grabbers), clock);
 }
 
 }  // namespace kambara

@@ -42,22 +42,24 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     if (remembered_.size() > pairs_remembered) {
         remembered_.pop_front();
     }
-    track();
-    publish();
-}
-
-void Pipeline::track() {
-    const std::int64_t started_ns = clock_.now_ns();
-    const TrackState before = tracker_.estimate().state;
-    const TrackEstimate estimate = tracker_.process(remembered_.back());
-    const bool followed = tracker_.started();
-    steer(followed ? estimate.position : std::nullopt);
+    track(remembered_.back());
     const std::int64_t now_ns = clock_.now_ns();
-    processing_ms_ = static_cast<double>(now_ns - started_ns) * 1e-6;
     handled_ns_.push_back(now_ns);
     while (now_ns - handled_ns_.front() > second_ns) {
         handled_ns_.pop_front();
     }
+    latency_ms_ = images_.arrived_ns > 0 ? static_cast<double>(now_ns - images_.arrived_ns) * 1e-6
+                                         : processing_ms_;
+    publish();
+}
+
+void Pipeline::track(const StereoFrame& frame) {
+    const std::int64_t started_ns = clock_.now_ns();
+    const TrackState before = tracker_.estimate().state;
+    const TrackEstimate estimate = tracker_.process(frame);
+    const bool followed = tracker_.started();
+    steer(followed ? estimate.position : std::nullopt);
+    processing_ms_ = static_cast<double>(clock_.now_ns() - started_ns) * 1e-6;
     note_state_change(before);
 }
 
@@ -101,7 +103,9 @@ void Pipeline::publish() {
     }
     snapshot->rate_hz = rate_hz();
     snapshot->processing_ms = processing_ms_;
+    snapshot->latency_ms = latency_ms_;
     snapshot->frames_lost = frames_lost_;
+    snapshot->frames_total = frames_total_;
     snapshot->pictures = images_;
     publish_(std::move(snapshot));
 }
@@ -124,9 +128,8 @@ void Pipeline::set_run(RunState run, std::optional<Error> failure) {
 
 Result<Reply> Pipeline::select(const SelectTemplate& command) {
     const std::int64_t wanted = command.frame.value_or(images_.stereo.left.index);
-    const auto seen = std::find_if(remembered_.begin(), remembered_.end(),
-                                   [&](const auto& pair) { return pair.left.index == wanted; });
-    if (seen == remembered_.end()) {
+    const StereoFrame* seen = remembered(wanted);
+    if (seen == nullptr) {
         return Error{"Frame " + std::to_string(wanted) + " is no longer remembered.",
                      "Choose the template in a newer picture."};
     }
@@ -134,6 +137,7 @@ Result<Reply> Pipeline::select(const SelectTemplate& command) {
     if (const auto chosen = tracker_.set_template(*seen, command.rectangle); !chosen) {
         return chosen.error();
     }
+    template_frame_ = wanted;
     note_state_change(before);
     publish();
     return Reply(Done{});
@@ -143,9 +147,47 @@ Result<Reply> Pipeline::start() {
     if (const auto started = tracker_.start(); !started) {
         return started.error();
     }
-    track();  // the pair at hand is the first to be tracked
+    // From the pair in which the template was chosen to the one at hand, as far as they are still
+    // remembered: the target has moved on while the operator looked.
+    const std::int64_t since = template_frame_.value_or(images_.stereo.left.index);
+    const bool gapless = !remembered_.empty() && remembered_.front().left.index <= since + 1;
+    for (const StereoFrame& pair : remembered_) {
+        if (gapless && pair.left.index > since && pair.left.index < images_.stereo.left.index) {
+            tracker_.process(pair);
+        }
+    }
+    template_frame_.reset();
+    track(remembered_.back());
     publish();
     return Reply(Done{});
+}
+
+const StereoFrame* Pipeline::remembered(std::int64_t frame) const {
+    if (held_ && held_->left.index == frame) {
+        return &*held_;
+    }
+    const auto seen = std::find_if(remembered_.begin(), remembered_.end(),
+                                   [&](const auto& pair) { return pair.left.index == frame; });
+    return seen == remembered_.end() ? nullptr : &*seen;
+}
+
+Result<Reply> Pipeline::hold(const HoldFrame& command) {
+    const StereoFrame* seen = remembered(command.frame);
+    if (seen == nullptr) {
+        return Error{"Frame " + std::to_string(command.frame) + " is no longer remembered.",
+                     "Hold a newer picture."};
+    }
+    held_ = StereoFrame(*seen);
+    return Reply(Done{});
+}
+
+void Pipeline::wound() {
+    const TrackState before = tracker_.estimate().state;
+    tracker_.stop();
+    remembered_.clear();
+    handled_ns_.clear();
+    template_frame_.reset();
+    note_state_change(before);
 }
 
 Result<Reply> Pipeline::stop() {
@@ -200,6 +242,17 @@ Result<Reply> Pipeline::move_head(const MoveHead& command) {
     steering_.set_automatic(false);
     head_->command(command.angles);
     commanded_ = command.angles;
+    publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::halt_head() {
+    if (!head_) {
+        return Error{"There is no pan-tilt head.", "Connect one, or name it when starting."};
+    }
+    steering_.set_automatic(false);
+    head_->halt();
+    commanded_.reset();
     publish();
     return Reply(Done{});
 }

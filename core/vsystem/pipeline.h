@@ -34,16 +34,22 @@ class Pipeline {
     Result<Reply> update_template();
     Result<Reply> clear();
     Result<Reply> move_head(const MoveHead& command);
+    Result<Reply> halt_head();
+    Result<Reply> hold(const HoldFrame& command);
     Result<Reply> steer_head(const SteerHead& command);
     /// Takes a new calibration: forgets the template, which belongs to the old one.
     void use_rig(const Rig& rig);
+    /// The source goes on with another frame: nothing seen before it says where the target is.
+    void wound();
+    void set_frames_total(std::int64_t frames) { frames_total_ = frames; }
 
     void set_run(RunState run, std::optional<Error> failure = std::nullopt);
     RunState run() const { return run_; }
     const ImageSet& images() const { return images_; }
 
   private:
-    void track();
+    void track(const StereoFrame& frame);
+    const StereoFrame* remembered(std::int64_t frame) const;
     void steer(const std::optional<Position>& position);
     void publish();
     void announce(Event::Kind kind, std::string text);
@@ -61,8 +67,12 @@ class Pipeline {
     std::optional<HeadAngles> commanded_;
     ImageSet images_;
     std::deque<StereoFrame> remembered_;  // grey, newest last
+    std::optional<StereoFrame> held_;     // likewise, for as long as the operator looks at it
+    std::optional<std::int64_t> template_frame_;
+    std::int64_t frames_total_ = -1;
     std::deque<std::int64_t> handled_ns_;
     double processing_ms_ = 0.0;
+    double latency_ms_ = 0.0;
     std::uint64_t frames_lost_ = 0;
     RunState run_ = RunState::paused;
     std::optional<Error> failure_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -49,6 +50,33 @@ class SequentialSource final : public FrameSource {
     }
 
     std::uint64_t frames_lost() const override { return 0; }
+
+    std::int64_t frames() const override {
+        std::int64_t count = grabbers_.left->info().frames;
+        if (grabbers_.right) {
+            count = std::min(count, grabbers_.right->info().frames);
+        }
+        return count;
+    }
+
+    Result<Done> seek(std::int64_t frame) override {
+        if (frame < 0 || (frames() >= 0 && frame >= frames())) {
+            return Error{"There is no frame " + std::to_string(frame) + ": the recording has " +
+                             std::to_string(frames()) + ".",
+                         "Give a number from 0 to " + std::to_string(frames() - 1) + "."};
+        }
+        for (GrabberBase* grabber :
+             {grabbers_.left.get(), grabbers_.right.get(), grabbers_.pan_tilt.get()}) {
+            if (grabber == nullptr) {
+                continue;
+            }
+            if (const auto done = grabber->seek(frame); !done) {
+                return done;
+            }
+        }
+        pairs_ = frame;
+        return Done{};
+    }
 
   private:
     Error lengths_differ(bool left_goes_on) const {

@@ -34,6 +34,15 @@ Json fields_of(const MoveHead& c) {
     return {
         {"command", "move_head"}, {"pan_rad", c.angles.pan_rad}, {"tilt_rad", c.angles.tilt_rad}};
 }
+Json fields_of(const HaltHead&) {
+    return {{"command", "halt_head"}};
+}
+Json fields_of(const Seek& c) {
+    return {{"command", "seek"}, {"frame", c.frame}};
+}
+Json fields_of(const HoldFrame& c) {
+    return {{"command", "hold_frame"}, {"frame", c.frame}};
+}
 Json fields_of(const SteerHead& c) {
     return {{"command", "steer_head"}, {"automatic", c.automatic}};
 }
@@ -97,6 +106,15 @@ Command read_command(const Json& json) {
     }
     if (name == "move_head") {
         return MoveHead{{get<double>(json, "pan_rad"), get<double>(json, "tilt_rad")}};
+    }
+    if (name == "halt_head") {
+        return HaltHead{};
+    }
+    if (name == "seek") {
+        return Seek{get<std::int64_t>(json, "frame")};
+    }
+    if (name == "hold_frame") {
+        return HoldFrame{get<std::int64_t>(json, "frame")};
     }
     if (name == "steer_head") {
         return SteerHead{get<bool>(json, "automatic")};

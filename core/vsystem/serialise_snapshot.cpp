@@ -139,7 +139,9 @@ Snapshot read_snapshot(const Json& json) {
     }
     snapshot.rate_hz = get<double>(json, "rate_hz");
     snapshot.processing_ms = get<double>(json, "processing_ms");
+    snapshot.latency_ms = get<double>(json, "latency_ms");
     snapshot.frames_lost = get<std::uint64_t>(json, "frames_lost");
+    snapshot.frames_total = get<std::int64_t>(json, "frames_total");
     return snapshot;
 }
 
@@ -156,7 +158,9 @@ std::string to_json(const Snapshot& snapshot) {
               {"tracks", std::move(tracks)},
               {"rate_hz", snapshot.rate_hz},
               {"processing_ms", snapshot.processing_ms},
-              {"frames_lost", snapshot.frames_lost}};
+              {"latency_ms", snapshot.latency_ms},
+              {"frames_lost", snapshot.frames_lost},
+              {"frames_total", snapshot.frames_total}};
     if (snapshot.failure) {
         json["failure"] = {{"cause", snapshot.failure->cause},
                            {"remedy", snapshot.failure->remedy}};

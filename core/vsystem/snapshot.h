@@ -18,6 +18,8 @@ namespace kambara {
 struct ImageSet {
     StereoFrame stereo;  ///< as the grabbers delivered them, colour or grey
     Frame pan_tilt;      ///< without a picture where there is no such camera
+    /// When both pictures of the pair were there, on the system's clock; 0 where not noted.
+    std::int64_t arrived_ns = 0;
 };
 
 /// One target in a snapshot.
@@ -40,7 +42,7 @@ struct HeadSnapshot {
 enum class RunState { paused, running, ended, failed };
 
 /// What the system knew after one pair of pictures. Immutable; readers hold it as long as they
-/// like. Everything but the pictures serialises (serialise.h).
+/// like. Everything but the pictures and how they were searched serialises (serialise.h).
 struct Snapshot {
     std::int64_t frame = -1;   ///< number of the pair, counted from the source's first
     std::int64_t time_ns = 0;  ///< when the left picture was exposed, on the source's clock
@@ -48,8 +50,10 @@ struct Snapshot {
     std::optional<Error> failure;  ///< why it failed, when it did
     std::vector<TrackSnapshot> tracks;
     std::optional<HeadSnapshot> head;
-    double rate_hz = 0.0;           ///< pairs handled in a second, over the last one
-    double processing_ms = 0.0;     ///< time spent on this pair
+    double rate_hz = 0.0;            ///< pairs handled in a second, over the last one
+    double processing_ms = 0.0;      ///< time spent on this pair
+    double latency_ms = 0.0;         ///< from the pair's arrival to its result
+    std::int64_t frames_total = -1;  ///< of a recording; -1 where there is no end or it is unknown
     std::uint64_t frames_lost = 0;  ///< that came while the pipeline was busy, or without a partner
     ImageSet pictures;
 };

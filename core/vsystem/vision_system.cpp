@@ -26,14 +26,15 @@ struct WaitingCommand {
 
 class VisionSystem final : public VsystemInterface {
   public:
-    VisionSystem(VisionSystemParts parts, const VisionSystemOptions& options, const Clock& clock)
+    VisionSystem(VisionSystemParts parts, const VisionSystemOptions& options, Clock& clock)
         : rig_(parts.rig),
           pipeline_(
               parts.rig, std::move(parts.head), options, clock,
               [this](SnapshotPtr snapshot) { publish(std::move(snapshot)); },
               [this](const Event& event) { events_.notify(event); }),
-          source_(options.every_frame ? make_sequential_source(std::move(parts.grabbers))
-                                      : make_live_source(std::move(parts.grabbers))) {}
+          source_(make_source(std::move(parts.grabbers), options, clock)) {
+        pipeline_.set_frames_total(source_->frames());
+    }
 
     ~VisionSystem() override {
         thread_.request_stop();
@@ -109,6 +110,17 @@ class VisionSystem final : public VsystemInterface {
     }
 
   private:
+    static std::unique_ptr<FrameSource> make_source(Grabbers grabbers,
+                                                    const VisionSystemOptions& options,
+                                                    Clock& clock) {
+        if (!options.every_frame) {
+            return make_live_source(std::move(grabbers), clock);
+        }
+        auto source = make_sequential_source(std::move(grabbers));
+        return options.in_real_time ? make_paced_source(std::move(source), clock)
+                                    : std::move(source);
+    }
+
     static Error closing() { return {"The vision system is closing.", "Open it again to go on."}; }
 
     void publish(SnapshotPtr snapshot) {
@@ -160,13 +172,26 @@ class VisionSystem final : public VsystemInterface {
     Result<Reply> flow(const Flow& flow) {
         if (pipeline_.run() == RunState::ended || pipeline_.run() == RunState::failed) {
             return Error{"The source is over: there are no more pictures to take.",
-                         "Open it again to start from its beginning."};
+                         "Go back to an earlier frame, or open it again."};
         }
         if (flow.kind == Flow::Kind::step) {
             ++steps_;
         } else {
             pipeline_.set_run(flow.kind == Flow::Kind::run ? RunState::running : RunState::paused);
         }
+        return Reply(Done{});
+    }
+
+    Result<Reply> seek(const Seek& command) {
+        if (pipeline_.run() == RunState::failed) {
+            return Error{"The source has failed: it can't be wound.", "Open it again."};
+        }
+        if (const auto done = source_->seek(command.frame); !done) {
+            return done.error();
+        }
+        pipeline_.wound();
+        pipeline_.set_run(RunState::paused);
+        steps_ = 1;
         return Reply(Done{});
     }
 
@@ -182,6 +207,9 @@ class VisionSystem final : public VsystemInterface {
             }
             Result<Reply> operator()(const ClearTemplate&) { return self.pipeline_.clear(); }
             Result<Reply> operator()(const MoveHead& c) { return self.pipeline_.move_head(c); }
+            Result<Reply> operator()(const HaltHead&) { return self.pipeline_.halt_head(); }
+            Result<Reply> operator()(const Seek& c) { return self.seek(c); }
+            Result<Reply> operator()(const HoldFrame& c) { return self.pipeline_.hold(c); }
             Result<Reply> operator()(const SteerHead& c) { return self.pipeline_.steer_head(c); }
             Result<Reply> operator()(const CaptureView&) {
                 return self.views_.capture(self.pipeline_.images());
@@ -257,7 +285,7 @@ class VisionSystem final : public VsystemInterface {
 
 Result<std::unique_ptr<VsystemInterface>> open_vision_system(VisionSystemParts parts,
                                                              const VisionSystemOptions& options,
-                                                             const Clock& clock) {
+                                                             Clock& clock) {
     if (!parts.grabbers.left) {
         return Error{"There is no left camera.", "Name a source for the left pictures."};
     }

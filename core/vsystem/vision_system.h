@@ -26,6 +26,8 @@ struct VisionSystemOptions {
     /// faster than life). Otherwise the cameras are live, have threads of their own, and the newest
     /// pair wins.
     bool every_frame = false;
+    /// With every_frame: no faster than the time stamps say, as a recording is watched.
+    bool in_real_time = false;
     /// Holds after the first pair until told to run (Flow).
     bool start_paused = false;
 };
@@ -40,10 +42,10 @@ struct VisionSystemOptions {
 ///
 ///              open                Flow::run                source's end
 ///   (pictures) ----> paused <------------------> running ----------------> ended
-///                      |        Flow::pause         |
+///                      |    Flow::pause, Seek       |    (Seek leads back)
 ///                      +------ source's fault ------+------> failed
 Result<std::unique_ptr<VsystemInterface>> open_vision_system(VisionSystemParts parts,
                                                              const VisionSystemOptions& options,
-                                                             const Clock& clock);
+                                                             Clock& clock);
 
 }  // namespace kambara

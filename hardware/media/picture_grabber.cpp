@@ -23,7 +23,8 @@ Result<std::unique_ptr<GrabberBase>> PictureGrabber::open(const std::string& pat
     if (!first) {
         return first.error();
     }
-    GrabberInfo info{pattern, first->width(), first->height(), options.pictures_rate_hz, false};
+    GrabberInfo info{pattern, first->width(), first->height(), options.pictures_rate_hz,
+                     false,   count};
     return std::unique_ptr<GrabberBase>(
         new PictureGrabber(std::move(*files), std::move(info), options.start));
 }
@@ -56,6 +57,16 @@ Result<std::optional<Frame>> PictureGrabber::grab(std::stop_token stop) {
     frame.time_ns = static_cast<std::int64_t>(static_cast<double>(next_) * 1e9 / info_.rate_hz);
     ++next_;
     return std::optional<Frame>(std::move(frame));
+}
+
+Result<Done> PictureGrabber::seek(std::int64_t index) {
+    if (index < 0 || index >= info_.frames) {
+        return Error{"There is no frame " + std::to_string(index) + " in " + info_.name + ".",
+                     "Give a number from 0 to " + std::to_string(info_.frames - 1) + "."};
+    }
+    next_ = index;
+    failed_.reset();
+    return Done{};
 }
 
 }  // namespace kambara

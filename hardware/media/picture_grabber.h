@@ -19,6 +19,7 @@ class PictureGrabber final : public GrabberBase {
 
     Result<std::optional<Frame>> grab(std::stop_token stop) override;
     GrabberInfo info() const override { return info_; }
+    Result<Done> seek(std::int64_t index) override;
 
   private:
     PictureGrabber(std::vector<std::filesystem::path> files, GrabberInfo info, std::int64_t start)

@@ -68,6 +68,7 @@ Result<std::unique_ptr<GrabberBase>> VideoGrabber::open(const std::string& file,
         if (!(info.rate_hz > 0.0) || info.rate_hz > 10000.0) {
             info.rate_hz = 30.0;
         }
+        info.frames = video->announced_frames > 0 ? video->announced_frames : -1;
     }
     if (!opened || info.width_px <= 0 || info.height_px <= 0) {
         return Error{file +
@@ -76,16 +77,42 @@ Result<std::unique_ptr<GrabberBase>> VideoGrabber::open(const std::string& file,
                      "Check that it plays elsewhere, or give pictures instead."};
     }
     std::unique_ptr<VideoGrabber> grabber(new VideoGrabber(std::move(video), std::move(info)));
-    // Seeking lands on key frames in some containers; reading and throwing away is exact.
-    for (std::int64_t i = 0; i < options.start; ++i) {
-        if (!grabber->video_->capture.grab()) {
-            return Error{"Frame " + std::to_string(options.start) + " does not exist: " + file +
-                             " ends after " + std::to_string(i) + " frames.",
-                         "Start earlier."};
-        }
-        ++grabber->next_;
+    if (const auto there = grabber->skip_to(options.start); !there) {
+        return there.error();
     }
     return std::unique_ptr<GrabberBase>(std::move(grabber));
+}
+
+// Seeking lands on key frames in some containers; reading and throwing away is exact.
+Result<Done> VideoGrabber::skip_to(std::int64_t index) {
+    while (next_ < index) {
+        if (!video_->capture.grab()) {
+            return Error{"Frame " + std::to_string(index) + " does not exist: " + info_.name +
+                             " ends after " + std::to_string(next_) + " frames.",
+                         "Start earlier."};
+        }
+        ++next_;
+    }
+    return Done{};
+}
+
+Result<Done> VideoGrabber::seek(std::int64_t index) {
+    if (index < 0 || (info_.frames >= 0 && index >= info_.frames)) {
+        return Error{"There is no frame " + std::to_string(index) + " in " + info_.name + ".",
+                     "Give a number from 0 to " + std::to_string(info_.frames - 1) + "."};
+    }
+    if (index >= next_ && !failed_) {
+        return skip_to(index);
+    }
+    auto anew = open(info_.name, {.start = index});
+    if (!anew) {
+        return anew.error();
+    }
+    auto& other = static_cast<VideoGrabber&>(**anew);
+    video_ = std::move(other.video_);
+    next_ = other.next_;
+    failed_.reset();
+    return Done{};
 }
 
 Result<std::optional<Frame>> VideoGrabber::grab(std::stop_token stop) {

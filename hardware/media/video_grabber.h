@@ -19,10 +19,14 @@ class VideoGrabber final : public GrabberBase {
 
     Result<std::optional<Frame>> grab(std::stop_token stop) override;
     GrabberInfo info() const override { return info_; }
+    /// Backwards it reads the video anew from its beginning: exact, but not fast.
+    Result<Done> seek(std::int64_t index) override;
 
   private:
     struct Video;
     VideoGrabber(std::unique_ptr<Video> video, GrabberInfo info);
+
+    Result<Done> skip_to(std::int64_t index);
 
     std::unique_ptr<Video> video_;
     const GrabberInfo info_;

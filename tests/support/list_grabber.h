@@ -17,7 +17,7 @@ class ListGrabber final : public GrabberBase {
     ListGrabber(std::vector<Frame> frames, int width, int height,
                 std::optional<Error> failure = std::nullopt)
         : frames_(std::move(frames)),
-          info_{"list", width, height, 30.0, false},
+          info_{"list", width, height, 30.0, false, static_cast<std::int64_t>(frames_.size())},
           failure_(std::move(failure)) {}
 
     Result<std::optional<Frame>> grab(std::stop_token) override {
@@ -30,6 +30,10 @@ class ListGrabber final : public GrabberBase {
         return std::optional<Frame>();
     }
     GrabberInfo info() const override { return info_; }
+    Result<Done> seek(std::int64_t index) override {
+        next_ = static_cast<std::size_t>(index);
+        return Done{};
+    }
 
   private:
     std::vector<Frame> frames_;

@@ -57,8 +57,9 @@ class LiveSourceTest : public testing::Test {
     LiveSourceTest()
         : left_(std::make_shared<FedGrabber::Feed>()),
           right_(std::make_shared<FedGrabber::Feed>()),
-          source_(make_live_source({std::make_unique<FedGrabber>(left_),
-                                    std::make_unique<FedGrabber>(right_), nullptr})) {}
+          source_(make_live_source(
+              {std::make_unique<FedGrabber>(left_), std::make_unique<FedGrabber>(right_), nullptr},
+              clock_)) {}
 
     // The next set, however many rounds of patience it takes.
     Result<NextImages> wait() {
@@ -70,6 +71,7 @@ class LiveSourceTest : public testing::Test {
         }
     }
 
+    SteadyClock clock_;
     std::shared_ptr<FedGrabber::Feed> left_;
     std::shared_ptr<FedGrabber::Feed> right_;
     std::unique_ptr<FrameSource> source_;
@@ -115,7 +117,8 @@ TEST_F(LiveSourceTest, PassesOnAFailureAndAnEnd) {
     right_->add(Error{"The cable is out.", "Put it back."});
     EXPECT_EQ(wait().error().cause, "The cable is out.");
     auto feed = std::make_shared<FedGrabber::Feed>();
-    const auto mono = make_live_source({std::make_unique<FedGrabber>(feed), nullptr, nullptr});
+    const auto mono =
+        make_live_source({std::make_unique<FedGrabber>(feed), nullptr, nullptr}, clock_);
     feed->add(std::optional<Frame>());
     Result<NextImages> next = NextImages(NothingYet{});
     while (next && std::holds_alternative<NothingYet>(*next)) {

@@ -19,6 +19,10 @@ const std::vector<Command> all_commands{
     UpdateTemplate{},
     ClearTemplate{},
     MoveHead{{0.1, -1.0 / 3.0}},
+    HaltHead{},
+    Seek{0},
+    Seek{123456789012},
+    HoldFrame{7},
     SteerHead{false},
     SteerHead{true},
     CaptureView{},
@@ -29,7 +33,7 @@ const std::vector<Command> all_commands{
 };
 
 TEST(Serialise, EveryCommandComesBackAsItWas) {
-    ASSERT_EQ(std::variant_size_v<Command>, 10U) << "add the new command to the list above";
+    ASSERT_EQ(std::variant_size_v<Command>, 13U) << "add the new command to the list above";
     for (const Command& command : all_commands) {
         const auto back = command_from_json(to_json(command));
         ASSERT_TRUE(back) << back.error().text();
@@ -59,6 +63,8 @@ Snapshot full_snapshot() {
     snapshot.failure = Error{"The cause.", "The remedy."};
     snapshot.rate_hz = 29.97;
     snapshot.processing_ms = 1.25;
+    snapshot.latency_ms = 12.25;
+    snapshot.frames_total = 1801;
     snapshot.frames_lost = std::numeric_limits<std::uint64_t>::max();
     TrackSnapshot track{1, {}};
     track.estimate.state = TrackState::doubtful;
@@ -90,6 +96,8 @@ TEST(Serialise, ASnapshotComesBackAsItWas) {
         EXPECT_EQ(back->failure, snapshot.failure);
         EXPECT_EQ(back->head, snapshot.head);
         EXPECT_EQ(back->frames_lost, snapshot.frames_lost);
+        EXPECT_EQ(back->latency_ms, snapshot.latency_ms);
+        EXPECT_EQ(back->frames_total, snapshot.frames_total);
         ASSERT_EQ(back->tracks.size(), snapshot.tracks.size());
         if (!snapshot.tracks.empty()) {
             const TrackEstimate& a = back->tracks[0].estimate;

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -35,7 +37,10 @@ class InstantHead final : public PanTiltCamera {
         ++moves_;
         return Done{};
     }
-    Result<Done> halt() override { return Done{}; }
+    Result<Done> halt() override {
+        ++halts;
+        return Done{};
+    }
     Result<HeadStatus> status() override {
         std::lock_guard lock(mutex_);
         return HeadStatus{angles_, false, 0};
@@ -44,6 +49,8 @@ class InstantHead final : public PanTiltCamera {
         std::lock_guard lock(mutex_);
         return moves_;
     }
+
+    std::atomic<int> halts = 0;
 
   private:
     mutable std::mutex mutex_;
@@ -87,20 +94,32 @@ class VisionSystemTest : public testing::Test {
         return open_vision_system(std::move(parts), options, clock_);
     }
 
+    // Waits for a snapshot that is as asked.
+    static SnapshotPtr wait_for(VsystemInterface& system,
+                                const std::function<bool(const Snapshot&)>& as_asked) {
+        std::mutex mutex;
+        std::condition_variable_any arrived;
+        SnapshotPtr found;
+        const auto look = [&](const SnapshotPtr& snapshot) {
+            std::lock_guard lock(mutex);
+            if (!found && as_asked(*snapshot)) {
+                found = snapshot;
+                arrived.notify_all();
+            }
+        };
+        const auto observation = system.observe(look);
+        look(system.latest());
+        std::unique_lock lock(mutex);
+        arrived.wait(lock, [&] { return found != nullptr; });
+        return found;
+    }
+
     // Lets it run and waits until the source is over.
     static SnapshotPtr run_out(VsystemInterface& system) {
-        std::mutex mutex;
-        std::condition_variable over;
-        bool done = false;
-        const auto observation = system.observe([&](const SnapshotPtr& snapshot) {
-            std::lock_guard lock(mutex);
-            done = snapshot->run == RunState::ended || snapshot->run == RunState::failed;
-            over.notify_all();
-        });
         EXPECT_TRUE(system.execute(Flow{Flow::Kind::run}));
-        std::unique_lock lock(mutex);
-        over.wait(lock, [&] { return done; });
-        return system.latest();
+        return wait_for(system, [](const Snapshot& snapshot) {
+            return snapshot.run == RunState::ended || snapshot.run == RunState::failed;
+        });
     }
 
     SteadyClock clock_;
@@ -193,6 +212,79 @@ TEST_F(VisionSystemTest, SelectsInAPairThatWasShownEarlier) {
     const TrackEstimate& estimate = system.latest()->tracks.at(0).estimate;
     EXPECT_EQ(estimate.state, TrackState::tracking) << estimate.reason;
     EXPECT_GT((*estimate.left_px - Eigen::Vector2d(315, 245)).norm(), 5.0);  // it has moved since
+}
+
+TEST_F(VisionSystemTest, SelectsInAPairThatIsHeldForHoweverLong) {
+    auto system = *open(recording().size(), recording().size());
+    ASSERT_TRUE(system->execute(HoldFrame{0}));
+    for (std::size_t i = 1; i < recording().size(); ++i) {
+        ASSERT_TRUE(system->execute(Flow{Flow::Kind::step}));
+    }
+    run_out(*system);
+    EXPECT_TRUE(system->execute(SelectTemplate{rectangle, 0}));
+    EXPECT_NE(system->execute(HoldFrame{-5}).error().cause.find("no longer remembered"),
+              std::string::npos);
+}
+
+TEST_F(VisionSystemTest, WindsARecordingAndGoesOnAfterItsEnd) {
+    auto system = *open(recording().size(), recording().size());
+    EXPECT_EQ(system->latest()->frames_total, static_cast<std::int64_t>(recording().size()));
+    ASSERT_TRUE(system->execute(SelectTemplate{rectangle, 0}));
+    ASSERT_TRUE(system->execute(StartTracking{}));
+    EXPECT_EQ(run_out(*system)->run, RunState::ended);
+    EXPECT_FALSE(system->execute(Flow{Flow::Kind::run}));
+
+    ASSERT_TRUE(system->execute(Seek{2}));
+    const SnapshotPtr there = wait_for(*system, [](const Snapshot& s) { return s.frame == 2; });
+    EXPECT_EQ(there->run, RunState::paused);
+    ASSERT_EQ(there->tracks.size(), 1U);
+    EXPECT_EQ(there->tracks.front().estimate.state, TrackState::template_set);
+
+    EXPECT_FALSE(system->execute(Seek{static_cast<std::int64_t>(recording().size())}));
+    EXPECT_FALSE(system->execute(Seek{-1}));
+    EXPECT_EQ(system->latest()->frame, 2);
+    ASSERT_TRUE(system->execute(Flow{Flow::Kind::step}));
+    EXPECT_EQ(wait_for(*system, [](const Snapshot& s) { return s.frame == 3; })->frame, 3);
+}
+
+TEST_F(VisionSystemTest, ShowsHowItSearched) {
+    auto system = *open(recording().size(), recording().size());
+    ASSERT_TRUE(system->execute(SelectTemplate{rectangle, 0}));
+    const auto chosen = system->latest()->tracks.front().estimate.search;
+    ASSERT_TRUE(chosen);
+    EXPECT_TRUE(chosen->map.empty());
+    EXPECT_FALSE(chosen->epipolar_px.empty());
+    ASSERT_TRUE(system->execute(StartTracking{}));
+    const auto& estimate = system->latest()->tracks.front().estimate;
+    ASSERT_TRUE(estimate.search);
+    const SearchDetail& search = *estimate.search;
+    ASSERT_FALSE(search.map.empty());
+    const double best = *std::max_element(search.map.scores.begin(), search.map.scores.end());
+    EXPECT_NEAR(search.likeness(best), 1.0, 0.05);
+    const Rectangle window = search.window();
+    EXPECT_LE(window.x, rectangle.x);
+    EXPECT_GE(window.x + window.width, rectangle.x + rectangle.width);
+    ASSERT_GE(search.epipolar_px.size(), 2U);
+    // The match lies on the curve that is shown.
+    double nearest_px = 1e9;
+    for (std::size_t i = 1; i < search.epipolar_px.size(); ++i) {
+        const Eigen::Vector2d a = search.epipolar_px[i - 1];
+        const Eigen::Vector2d along = search.epipolar_px[i] - a;
+        const double t =
+            std::clamp((*estimate.right_px - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        nearest_px = std::min(nearest_px, (*estimate.right_px - a - t * along).norm());
+    }
+    EXPECT_LT(nearest_px, 0.5);
+}
+
+TEST_F(VisionSystemTest, HaltsTheHeadAndLeavesItToTheOperator) {
+    auto system = *open(2, 2);
+    ASSERT_TRUE(system->execute(MoveHead{{0.1, 0.05}}));
+    const int halts = head_->halts;
+    ASSERT_TRUE(system->execute(HaltHead{}));
+    EXPECT_EQ(head_->halts, halts + 1);
+    EXPECT_FALSE(system->latest()->head->automatic);
+    EXPECT_FALSE(system->latest()->head->commanded);
 }
 
 TEST_F(VisionSystemTest, SaysWhichRecordingEndedFirst) {
