@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/cli/sources.h"
 #include "app/cli/terminal.h"
 #include "app/cli/truth_comparison.h"
+#include "app/sources/sources.h"
 #include "core/base/angles.h"
 #include "core/base/latest_value.h"
 #include "hardware/simulated/simulated_world.h"

@@ -10,8 +10,8 @@
 #include <thread>
 #include <utility>
 
-#include "app/cli/sources.h"
 #include "app/cli/terminal.h"
+#include "app/sources/sources.h"
 #include "core/base/angles.h"
 #include "core/base/text_file.h"
 #include "core/camera/rig_file.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/cli/outcome.h"
-#include "app/cli/sources.h"
+#include "app/sources/sources.h"
 
 namespace kambara::cli {
 

@@ -91,7 +91,7 @@ class LiveSource final : public FrameSource {
 
     void start(std::size_t which, GrabberBase& grabber) {
         Input& input = *inputs_[which];
-        input.thread = std::jthread([this, &input, &grabber](std::stop_token stop) {
+        input.thread = std::jthread([this, which, &input, &grabber](std::stop_token stop) {
             while (!stop.stop_requested()) {
                 auto frame = grabber.grab(stop);
                 const std::int64_t now_ns = clock_.now_ns();
@@ -102,9 +102,10 @@ class LiveSource final : public FrameSource {
                     input.ended = true;
                 } else if ((*frame)->valid) {
                     input.frames.push_back({std::move(**frame), now_ns});
-                    if (input.frames.size() > frames_kept) {
+                    const bool pairs = which < 2;  // the third camera gives its newest only
+                    if (input.frames.size() > (pairs ? frames_kept : 1)) {
                         input.frames.pop_front();
-                        ++lost_;
+                        lost_ += pairs ? 1 : 0;
                     }
                 }
                 arrived_.notify_all();

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t pairs_remembered = 30;
 constexpr std::int64_t second_ns = 1'000'000'000;
+constexpr double shortest_rate_span_s = 0.2;  // less says nothing about a rate
 constexpr int only_track_id = 1;
 
 Frame grey_frame(Frame frame) {
@@ -83,7 +84,7 @@ double Pipeline::rate_hz() const {
         return 0.0;
     }
     const double span_s = static_cast<double>(handled_ns_.back() - handled_ns_.front()) * 1e-9;
-    return span_s > 0.0 ? static_cast<double>(handled_ns_.size() - 1) / span_s : 0.0;
+    return span_s > shortest_rate_span_s ? static_cast<double>(handled_ns_.size() - 1) / span_s : 0.0;
 }
 
 void Pipeline::publish() {

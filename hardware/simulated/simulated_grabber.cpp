@@ -33,6 +33,7 @@ class SimulatedGrabber final : public GrabberBase {
                 ++newest;
             }
             next_ = std::max(next_, newest);
+            next_ += (pace_.every - next_ % pace_.every) % pace_.every;
         }
         const std::int64_t frames = world_->profile().frames;
         if (stop.stop_requested() || (frames >= 0 && next_ >= frames)) {

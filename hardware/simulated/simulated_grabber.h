@@ -19,6 +19,8 @@ struct SimulatedPace {
     std::int64_t start_ns = 0;
     /// Not live: every frame, as fast as it is asked for, and this clock is moved on to its time.
     std::shared_ptr<ManualClock> driven;
+    /// Live: only every n-th frame is delivered.
+    std::int64_t every = 1;
 };
 
 /// A fixed camera of the simulated rig as a real source. Its own counter starts near wrap-around.

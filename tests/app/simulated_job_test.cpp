@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/cli/sources.h"
+#include "app/sources/sources.h"
 #include "app/cli/track_command.h"
 #include "core/camera/rig_file.h"
 #include "core/vsystem/vision_system.h"

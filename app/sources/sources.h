@@ -12,10 +12,8 @@
 #include "core/vsystem/vision_system.h"
 
 namespace kambara {
-class SimulatedWorld;
-}
 
-namespace kambara::cli {
+class SimulatedWorld;
 
 /// What the command line names: pictures, a rig file, a head.
 struct SourceOptions {
@@ -26,6 +24,7 @@ struct SourceOptions {
     std::int64_t start = 0;
     bool live = false;               ///< in real time; else as fast as it goes, every frame
     bool pan_tilt_pictures = false;  ///< draw the simulated pan-tilt camera's pictures too
+    double pictures_rate_hz = 10.0;  ///< of single pictures, which carry no time
 };
 
 /// Everything a vision system is made of, opened, and what belongs to it.
@@ -41,4 +40,4 @@ struct Sources {
 /// Opens what the options name. `clock` is the machine's and outlives what is opened.
 Result<Sources> open_sources(const SourceOptions& options, Clock& clock);
 
-}  // namespace kambara::cli
+}  // namespace kambara

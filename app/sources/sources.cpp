@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/sources.h"
+#include "app/sources/sources.h"
 
 #include <string_view>
 #include <utility>
@@ -10,7 +10,7 @@
 #include "hardware/simulated/simulated_head.h"
 #include "hardware/simulated/simulated_world.h"
 
-namespace kambara::cli {
+namespace kambara {
 namespace {
 
 constexpr std::string_view simulated = "sim:";
@@ -69,13 +69,16 @@ Result<Sources> open_simulation(const SourceOptions& options, Clock& clock) {
     grabbers.left = make_simulated_grabber(world, FixedCamera::left, options.start, pace);
     grabbers.right = make_simulated_grabber(world, FixedCamera::right, options.start, pace);
     if (options.pan_tilt_pictures) {
+        // Its whole picture changes with every move of the head and is drawn anew each time: live,
+        // every other frame leaves the machine to the tracking.
+        pace.every = options.live ? 2 : 1;
         grabbers.pan_tilt = make_simulated_grabber(world, head, options.start, pace);
     }
     return sources;
 }
 
 Result<Sources> open_recordings(const SourceOptions& options) {
-    const MediaOptions media{options.start, 10.0};
+    const MediaOptions media{options.start, options.pictures_rate_hz};
     Sources sources;
     auto left = open_media(options.left, media);
     if (!left) {
@@ -164,4 +167,4 @@ Result<Sources> open_sources(const SourceOptions& options, Clock& clock) {
     return sources;
 }
 
-}  // namespace kambara::cli
+}  // namespace kambara

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/kambara/open_system.h"
+
+#include "app/sources/sources.h"
+
+namespace kambara {
+
+ui::SystemOpener system_opener(Clock& clock) {
+    return [&clock](const ui::SourceRequest& request) -> Result<std::unique_ptr<VsystemInterface>> {
+        SourceOptions options;
+        options.left = request.left;
+        options.right = request.right;
+        options.rig = request.rig;
+        options.pictures_rate_hz = request.pictures_rate_hz;
+        options.live = true;
+        options.pan_tilt_pictures = true;
+        auto sources = open_sources(options, clock);
+        if (!sources) {
+            return sources.error();
+        }
+        VisionSystemOptions system_options;
+        system_options.every_frame = sources->every_frame;
+        system_options.in_real_time = sources->every_frame;
+        system_options.start_paused = sources->every_frame;
+        return open_vision_system(std::move(sources->parts), system_options, clock);
+    };
+}
+
+}  // namespace kambara

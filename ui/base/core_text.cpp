@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/base/core_text.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <utility>
+#include <vector>
+
+namespace kambara::ui {
+namespace {
+
+// Longer ones first where one is part of another.
+const char* const phrases[] = {
+    QT_TRANSLATE_NOOP("core", "doubtful for too long: %1"),
+    QT_TRANSLATE_NOOP("core", "given up: %1"),
+    QT_TRANSLATE_NOOP("core", "no position: %1"),
+    QT_TRANSLATE_NOOP("core", "the match is only %1 % alike"),
+    QT_TRANSLATE_NOOP("core", "the most similar place in the left picture is only %1 % alike"),
+    QT_TRANSLATE_NOOP("core", "looking for it: nothing in the left picture is clearly it"),
+    QT_TRANSLATE_NOOP("core", "the predicted place is outside the left picture"),
+    QT_TRANSLATE_NOOP("core", "not found in the right picture"),
+    QT_TRANSLATE_NOOP("core", "the right picture holds another place that looks the same"),
+    QT_TRANSLATE_NOOP("core", "%1 -> %2: %3"),
+    QT_TRANSLATE_NOOP("core", "%1 -> %2"),
+    QT_TRANSLATE_NOOP("core", "Idle"),
+    QT_TRANSLATE_NOOP("core", "TemplateSet"),
+    QT_TRANSLATE_NOOP("core", "Tracking"),
+    QT_TRANSLATE_NOOP("core", "Doubtful"),
+    QT_TRANSLATE_NOOP("core", "Lost"),
+    QT_TRANSLATE_NOOP("core", "The source has come to its end."),
+    QT_TRANSLATE_NOOP("core", "The template was updated by command."),
+    QT_TRANSLATE_NOOP("core", "A new calibration is in use. Choose the template again."),
+    QT_TRANSLATE_NOOP("core", "There is no template to follow."),
+    QT_TRANSLATE_NOOP("core", "Choose one in the left picture first."),
+    QT_TRANSLATE_NOOP("core", "The target is not in sight, so its template can't be updated."),
+    QT_TRANSLATE_NOOP("core", "Wait until it is tracked, or choose a new template."),
+    QT_TRANSLATE_NOOP("core", "Frame %1 is no longer remembered."),
+    QT_TRANSLATE_NOOP("core", "Choose the template in a newer picture."),
+    QT_TRANSLATE_NOOP("core", "There is no pan-tilt head."),
+    QT_TRANSLATE_NOOP("core", "Connect one, or name it when starting."),
+    QT_TRANSLATE_NOOP("core",
+                      "The head can't look there: it reaches %1 degrees to the sides and "
+                      "%2 up and down."),
+    QT_TRANSLATE_NOOP("core", "Give angles within these limits."),
+    QT_TRANSLATE_NOOP("core", "The rig file does not say where the pan-tilt camera is."),
+    QT_TRANSLATE_NOOP("core", "Calibrate it with the others, then hand over the steering."),
+    QT_TRANSLATE_NOOP("core", "The source is over: there are no more pictures to take."),
+    QT_TRANSLATE_NOOP("core", "Go back to an earlier frame, or open it again."),
+    QT_TRANSLATE_NOOP("core", "There is no frame %1: the recording has %2."),
+    QT_TRANSLATE_NOOP("core", "Live pictures can't be wound to another frame."),
+    QT_TRANSLATE_NOOP("core", "Open a recording."),
+    QT_TRANSLATE_NOOP("core", "The template %1 is not inside the picture of %2 pixels."),
+    QT_TRANSLATE_NOOP("core", "Choose a rectangle that lies wholly inside."),
+    QT_TRANSLATE_NOOP("core", "The template %1 is too small to be followed."),
+    QT_TRANSLATE_NOOP("core", "Choose at least 7 x 7 pixels; 21 x 21 is a good size."),
+    QT_TRANSLATE_NOOP("core",
+                      "The template %1 has no texture: its grey levels vary by %2, noise "
+                      "included."),
+    QT_TRANSLATE_NOOP("core", "Choose a piece with marks or edges, or a larger one."),
+    QT_TRANSLATE_NOOP("core",
+                      "The template %1 has texture in one direction only and would slide "
+                      "along it."),
+    QT_TRANSLATE_NOOP("core", "Include a corner, an end of the edge or another mark."),
+    QT_TRANSLATE_NOOP("core",
+                      "The template %1 lies where the left lens's calibration does not "
+                      "reach."),
+    QT_TRANSLATE_NOOP("core", "Choose a place nearer to the middle of the picture."),
+    QT_TRANSLATE_NOOP("core", "There is no file %1."),
+    QT_TRANSLATE_NOOP("core", "Check the name and the folder."),
+    QT_TRANSLATE_NOOP("core", "No pictures have come from the cameras within five seconds."),
+    QT_TRANSLATE_NOOP("core", "Check that they are connected and that nothing else uses them."),
+    QT_TRANSLATE_NOOP("core",
+                      "The left and right recordings have different lengths: %1 ends after "
+                      "%2 frames, %3 goes on."),
+    QT_TRANSLATE_NOOP("core", "Give two recordings of the same instants, or cut the longer one."),
+    QT_TRANSLATE_NOOP("core",
+                      "The pictures are %1 pixels, but the rig file is for %2, which is "
+                      "another shape."),
+    QT_TRANSLATE_NOOP("core",
+                      "Use the rig file that belongs to these pictures, or calibrate "
+                      "anew."),
+};
+
+struct Phrase {
+    QRegularExpression pattern;
+    const char* source;
+};
+
+std::vector<Phrase> compiled() {
+    std::vector<Phrase> all;
+    for (const char* source : phrases) {
+        QString pattern = QRegularExpression::escape(QString::fromUtf8(source));
+        for (const char* place : {"\\%1", "\\%2", "\\%3", "%1", "%2", "%3"}) {
+            pattern.replace(QString::fromLatin1(place), QStringLiteral("(.+)"));
+        }
+        all.push_back(
+            {QRegularExpression(QStringLiteral("\\A") + pattern + QStringLiteral("\\z")), source});
+    }
+    return all;
+}
+
+QString translated(const QString& text) {
+    static const std::vector<Phrase> all = compiled();
+    for (const Phrase& phrase : all) {
+        const auto match = phrase.pattern.match(text);
+        if (!match.hasMatch()) {
+            continue;
+        }
+        QString result = QCoreApplication::translate("core", phrase.source);
+        for (int i = 1; i <= match.lastCapturedIndex(); ++i) {
+            result.replace(QLatin1Char('%') + QString::number(i), translated(match.captured(i)));
+        }
+        return result;
+    }
+    return text;
+}
+
+}  // namespace
+
+QString translated(const std::string& text) {
+    return translated(QString::fromStdString(text));
+}
+
+QString translated(const Error& error) {
+    return translated(error.cause) + QLatin1Char(' ') + translated(error.remedy);
+}
+
+QString name_of(TrackState state) {
+    return translated(to_string(state));
+}
+
+}  // namespace kambara::ui

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/main_window.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QUrl>
+#include <algorithm>
+
+#include "core/base/angles.h"
+#include "ui/base/core_text.h"
+#include "ui/devices/pan_tilt_pad.h"
+#include "ui/devices/pan_tilt_panel.h"
+#include "ui/plots/plots_panel.h"
+#include "ui/scene3d/scene_view.h"
+#include "ui/shell/about_dialog.h"
+#include "ui/shell/event_log.h"
+#include "ui/shell/open_recording_dialog.h"
+#include "ui/shell/playback_bar.h"
+#include "ui/shell/recent_recordings.h"
+#include "ui/shell/status_fields.h"
+#include "ui/shell/window_actions.h"
+#include "ui/shell/window_layout.h"
+#include "ui/tracking/correlation_map_view.h"
+#include "ui/tracking/track_panel.h"
+#include "ui/video/video_view.h"
+
+namespace kambara::ui {
+namespace {
+
+constexpr int numbers_ms = 100;  // people read no faster
+constexpr int notice_ms = 10000;
+constexpr double jog_step_rad = rad_from_deg(5.0);
+
+bool is_simulation(const SourceRequest& request) {
+    return request.left.starts_with("sim:");
+}
+
+// A folder stands for the pictures in it.
+QString source_of(const QString& file) {
+    if (!QFileInfo(file).isDir()) {
+        return file;
+    }
+    for (const char* kind : {"png", "jpg", "jpeg", "tif", "tiff", "pgm", "ppm", "bmp"}) {
+        const QString pattern = QStringLiteral("*.") + QLatin1String(kind);
+        if (!QDir(file).entryList({pattern}, QDir::Files).isEmpty()) {
+            return QDir(file).filePath(pattern);
+        }
+    }
+    return file;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(SystemOpener opener, const WindowOptions& options, QWidget* parent)
+    : QMainWindow(parent),
+      options_(options),
+      link_(new SystemLink(std::move(opener), this)),
+      actions_(new WindowActions(this)) {
+    setObjectName(QStringLiteral("mainWindow"));
+    setWindowTitle(QStringLiteral("Kambara Vision"));
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    status_ = new StatusFields(statusBar());
+    build_views();
+    build_docks();
+    build_menus();
+    build_tools();
+    connect_actions();
+    connect_link();
+    restore_layout();
+    numbers_.start(numbers_ms);
+    notice_time_.setSingleShot(true);
+    left_->setFocus();
+    if (!options_.first.left.empty()) {
+        open(options_.first);
+    }
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::connect_actions() {
+    const auto on = [this](QAction* action, auto&& act) {
+        connect(action, &QAction::triggered, this, act);
+    };
+    on(actions_->open_recording, [this] { open_recording_dialog(opened_recording()); });
+    on(actions_->simulated_rig, [this] { open(options_.simulation); });
+    on(actions_->quit, [this] { close(); });
+    on(actions_->play, [this] {
+        const bool running = newest_ && newest_->run == RunState::running;
+        link_->send(Flow{running ? Flow::Kind::pause : Flow::Kind::run});
+    });
+    on(actions_->step, [this] { link_->send(Flow{Flow::Kind::step}); });
+    on(actions_->freeze, [this](bool on_now) { left_->set_frozen(on_now); });
+    on(actions_->select, [this] { left_->begin_selection(); });
+    on(actions_->start, [this] { link_->send(StartTracking{}); });
+    on(actions_->stop, [this] {
+        left_->cancel_selection();
+        std::vector<Command> commands{StopTracking{}};
+        if (newest_ && newest_->head) {
+            commands.emplace_back(HaltHead{});
+        }
+        link_->send(std::move(commands));
+    });
+    on(actions_->update_template, [this] { link_->send(UpdateTemplate{}); });
+    on(actions_->clear, [this] { link_->send(ClearTemplate{}); });
+    on(actions_->steer, [this](bool automatic) { link_->send(SteerHead{automatic}); });
+    on(actions_->home, [this] { link_->send(MoveHead{{0.0, 0.0}}); });
+    on(actions_->halt, [this] { link_->send(HaltHead{}); });
+    on(actions_->stretch_map, [this](bool on_now) { map_->set_stretched(on_now); });
+    on(actions_->default_layout, [this] { lay_out(); });
+    on(actions_->about, [this] { show_about(this); });
+    connect(left_, &VideoView::selected, this, &MainWindow::select);
+    connect(left_, &VideoView::held, this, [this](qint64 frame) { link_->send(HoldFrame{frame}); });
+    connect(left_, &VideoView::frozen_changed, actions_->freeze, &QAction::setChecked);
+    connect(playback_, &PlaybackBar::seek_asked, this,
+            [this](qint64 frame) { link_->send(Seek{frame}); });
+    connect(head_->pad(), &PanTiltPad::asked_for, this, [this](double pan_rad, double tilt_rad) {
+        link_->send(MoveHead{{pan_rad, tilt_rad}});
+    });
+    connect(&numbers_, &QTimer::timeout, this, &MainWindow::show_numbers);
+    connect(&notice_time_, &QTimer::timeout, notice_, &QLabel::hide);
+}
+
+void MainWindow::connect_link() {
+    connect(link_, &SystemLink::snapshot_came, this, &MainWindow::show_snapshot);
+    connect(link_, &SystemLink::event_came, events_, &EventLog::add);
+    connect(link_, &SystemLink::opened, this, &MainWindow::show_opened);
+    connect(link_, &SystemLink::refused, this, &MainWindow::show_refusal);
+    connect(link_, &SystemLink::open_failed, this,
+            [this](const SourceRequest& request, const Error& error) {
+                show_refusal(error);
+                if (!is_simulation(request)) {
+                    open_recording_dialog(request, translated(error));
+                }
+            });
+}
+
+SourceRequest MainWindow::opened_recording() const {
+    return recording_ ? opened_ : SourceRequest{};
+}
+
+void MainWindow::open(const SourceRequest& request) {
+    statusBar()->showMessage(tr("Opening %1\u2026").arg(QString::fromStdString(request.left)));
+    link_->open(request);
+}
+
+void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
+    statusBar()->clearMessage();
+    opened_ = request;
+    recording_ = !is_simulation(request);
+    newest_.reset();
+    for (VideoView* view : {left_, right_, pan_tilt_}) {
+        view->clear();
+    }
+    map_->clear();
+    track_->clear();
+    plots_->clear();
+    scene_->set_rig(rig);
+    scene_->clear_trail();
+    playback_->setVisible(recording_);
+    const QString title = recording_ ? RecentRecordings::title(request) : tr("simulated rig");
+    setWindowTitle(tr("Kambara Vision \u2013 %1").arg(title));
+    status_->show_source(title, rig);
+    events_->add_note(tr("Opened: %1").arg(title));
+    if (recording_) {
+        RecentRecordings::remember(request);
+        fill_recent();
+    }
+}
+
+void MainWindow::show_snapshot(const SnapshotPtr& snapshot) {
+    newest_ = snapshot;
+    left_->show_snapshot(snapshot);
+    right_->show_snapshot(snapshot);
+    pan_tilt_->show_snapshot(snapshot);
+    map_->show_snapshot(snapshot);
+    plots_->add(*snapshot);
+    scene_->add(*snapshot);
+}
+
+void MainWindow::show_numbers() {
+    actions_->update(newest_.get(), recording_);
+    if (!newest_) {
+        return;
+    }
+    track_->show_snapshot(newest_);
+    head_->show_snapshot(newest_);
+    status_->show_snapshot(*newest_);
+    if (recording_) {
+        playback_->show_snapshot(*newest_);
+    }
+}
+
+void MainWindow::show_refusal(const Error& error) {
+    statusBar()->clearMessage();
+    notice_->setText(translated(error));
+    notice_->show();
+    notice_time_.start(notice_ms);
+    events_->add_fault(translated(error));
+}
+
+void MainWindow::select(const Rectangle& rectangle, qint64 frame) {
+    link_->send({SelectTemplate{rectangle, frame}, StartTracking{}});
+}
+
+void MainWindow::jog(double pan_steps, double tilt_steps) {
+    if (!newest_ || !newest_->head) {
+        return;
+    }
+    // From where it was told to go, so that quick presses add up.
+    const HeadAngles from = newest_->head->commanded.value_or(newest_->head->angles);
+    const HeadLimits limits;
+    link_->send(MoveHead{
+        {std::clamp(from.pan_rad + pan_steps * jog_step_rad, -limits.pan_rad, limits.pan_rad),
+         std::clamp(from.tilt_rad + tilt_steps * jog_step_rad, -limits.tilt_rad,
+                    limits.tilt_rad)}});
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Left:
+            jog(-1.0, 0.0);
+            break;
+        case Qt::Key_Right:
+            jog(1.0, 0.0);
+            break;
+        case Qt::Key_Up:
+            jog(0.0, 1.0);
+            break;
+        case Qt::Key_Down:
+            jog(0.0, -1.0);
+            break;
+        default:
+            QMainWindow::keyPressEvent(event);
+    }
+}
+
+void MainWindow::open_recording_dialog(const SourceRequest& request, const QString& failure) {
+    auto* dialog = new OpenRecordingDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->set_request(request);
+    dialog->show_failure(failure);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { open(dialog->request()); });
+    dialog->open();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    QStringList files;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) {
+            files << source_of(url.toLocalFile());
+        }
+    }
+    SourceRequest request = request_of_files(files);
+    if (request.rig.empty()) {
+        request.rig = opened_recording().rig;
+    }
+    if (request.left.empty() || request.rig.empty()) {
+        open_recording_dialog(request);
+    } else {
+        open(request);
+    }
+    event->acceptProposedAction();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (options_.keep_layout) {
+        save_layout(*this);
+    }
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::restore_layout() {
+    lay_out();
+    if (options_.keep_layout) {
+        load_layout(*this);
+    }
+}
+
+void MainWindow::fill_recent() {
+    recent_->clear();
+    for (const SourceRequest& request : RecentRecordings::load()) {
+        QAction* action = recent_->addAction(RecentRecordings::title(request));
+        action->setToolTip(QString::fromStdString(request.left));
+        connect(action, &QAction::triggered, this, [this, request] { open(request); });
+    }
+    recent_->setEnabled(!recent_->isEmpty());
+}
+
+}  // namespace kambara::ui

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/system_link.h"
+
+#include <QMetaObject>
+#include <utility>
+
+namespace kambara::ui {
+
+SystemLink::SystemLink(SystemOpener opener, QObject* parent)
+    : QObject(parent), opener_(std::move(opener)) {
+    worker_ = std::jthread([this](std::stop_token stop) { run(stop); });
+}
+
+SystemLink::~SystemLink() {
+    worker_.request_stop();
+    worker_.join();
+    snapshots_.reset();
+    events_.reset();
+    system_.reset();
+}
+
+void SystemLink::enqueue(std::function<void()> work) {
+    if (under_way_++ == 0) {
+        emit busy_changed(true);
+    }
+    {
+        std::lock_guard lock(mutex_);
+        work_.push_back(std::move(work));
+    }
+    arrived_.notify_one();
+}
+
+void SystemLink::finished() {
+    if (--under_way_ == 0) {
+        emit busy_changed(false);
+    }
+}
+
+void SystemLink::run(std::stop_token stop) {
+    while (true) {
+        std::function<void()> work;
+        {
+            std::unique_lock lock(mutex_);
+            if (!arrived_.wait(lock, stop, [&] { return !work_.empty(); }) ||
+                stop.stop_requested()) {
+                return;
+            }
+            work = std::move(work_.front());
+            work_.pop_front();
+        }
+        work();
+        on_window([this] { finished(); });
+    }
+}
+
+// What is still under way when the link goes is dropped with it.
+void SystemLink::on_window(std::function<void()> work) {
+    QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
+}
+
+void SystemLink::open(const SourceRequest& request) {
+    enqueue([this, request] {
+        auto system = opener_(request);
+        if (!system) {
+            on_window(
+                [this, request, error = system.error()] { emit open_failed(request, error); });
+            return;
+        }
+        snapshots_.reset();
+        events_.reset();
+        system_ = std::move(*system);
+        newest_.try_take();
+        on_window([this, request, rig = system_->rig()] { emit opened(request, rig); });
+        watch();
+    });
+}
+
+void SystemLink::watch() {
+    const int generation = ++generation_;
+    events_ = system_->observe_events([this, generation](const Event& event) {
+        on_window([this, generation, event] {
+            if (generation == generation_) {
+                emit event_came(event);
+            }
+        });
+    });
+    const auto put = [this](const SnapshotPtr& snapshot) {
+        newest_.put(snapshot);
+        // One call is enough for however many snapshots come before the window sees to it.
+        if (!fetch_pending_.exchange(true)) {
+            on_window([this] { fetch(); });
+        }
+    };
+    snapshots_ = system_->observe(put);
+    put(system_->latest());
+}
+
+void SystemLink::fetch() {
+    fetch_pending_ = false;
+    if (const auto snapshot = newest_.try_take()) {
+        emit snapshot_came(*snapshot);
+    }
+}
+
+void SystemLink::send(std::vector<Command> commands) {
+    enqueue([this, commands = std::move(commands)] {
+        if (!system_) {
+            return;
+        }
+        for (const Command& command : commands) {
+            if (const auto reply = system_->execute(command); !reply) {
+                on_window([this, error = reply.error()] { emit refused(error); });
+                return;
+            }
+        }
+    });
+}
+
+}  // namespace kambara::ui

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/base/latest_value.h"
+#include "core/vsystem/vsystem_interface.h"
+
+namespace kambara::ui {
+
+/// What to open: two sources and the rig file that belongs to them.
+struct SourceRequest {
+    std::string left;
+    std::string right;
+    std::string rig;
+    double pictures_rate_hz = 10.0;  ///< of single pictures, which carry no time
+    bool operator==(const SourceRequest&) const = default;
+};
+
+/// Opens a vision system; may take its time. Given by the program, which knows the devices.
+using SystemOpener =
+    std::function<Result<std::unique_ptr<VsystemInterface>>(const SourceRequest& request)>;
+
+/// The window's end of the vision system. Opens it and carries commands to it on a thread of its
+/// own, so that the window never waits; brings snapshots back through a mailbox in which the newest
+/// wins, and events in their order. Members are called on the window's thread, where all signals
+/// are emitted as well.
+class SystemLink : public QObject {
+    Q_OBJECT
+  public:
+    explicit SystemLink(SystemOpener opener, QObject* parent = nullptr);
+    ~SystemLink() override;
+
+    /// Opens another source. When it can't be opened, the one before goes on.
+    void open(const SourceRequest& request);
+    /// Carries the commands out one after the other, up to the first that is refused.
+    void send(std::vector<Command> commands);
+    void send(const Command& command) { send(std::vector<Command>{command}); }
+    bool busy() const { return under_way_ > 0; }
+
+  signals:
+    void snapshot_came(const kambara::SnapshotPtr& snapshot);
+    void event_came(const kambara::Event& event);
+    void opened(const kambara::ui::SourceRequest& request, const kambara::Rig& rig);
+    void refused(const kambara::Error& error);  ///< of a command or of opening
+    void open_failed(const kambara::ui::SourceRequest& request, const kambara::Error& error);
+    void busy_changed(bool busy);
+
+  private:
+    void enqueue(std::function<void()> work);
+    void run(std::stop_token stop);
+    void on_window(std::function<void()> work);
+    void watch();
+    void fetch();
+    void finished();
+
+    const SystemOpener opener_;
+    LatestValue<SnapshotPtr> newest_;
+    std::atomic<bool> fetch_pending_ = false;
+    std::atomic<int> generation_ = 0;
+    int under_way_ = 0;  // the window's thread alone
+    std::mutex mutex_;
+    std::condition_variable_any arrived_;
+    std::deque<std::function<void()>> work_;
+    // The worker's alone; observations end before what they observe.
+    std::unique_ptr<VsystemInterface> system_;
+    std::unique_ptr<Observation> snapshots_;
+    std::unique_ptr<Observation> events_;
+    std::jthread worker_;
+};
+
+}  // namespace kambara::ui
