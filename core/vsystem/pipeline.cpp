@@ -84,7 +84,8 @@ double Pipeline::rate_hz() const {
         return 0.0;
     }
     const double span_s = static_cast<double>(handled_ns_.back() - handled_ns_.front()) * 1e-9;
-    return span_s > shortest_rate_span_s ? static_cast<double>(handled_ns_.size() - 1) / span_s : 0.0;
+    return span_s > shortest_rate_span_s ? static_cast<double>(handled_ns_.size() - 1) / span_s
+                                         : 0.0;
 }
 
 void Pipeline::publish() {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/sources/sources.h"
 #include "app/cli/track_command.h"
+#include "app/sources/sources.h"
 #include "core/camera/rig_file.h"
 #include "core/vsystem/vision_system.h"
 #include "hardware/simulated/simulated_grabber.h"

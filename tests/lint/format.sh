@@ -3,4 +3,4 @@
 # format.sh: fails where a source is not as clang-format would have it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-find app core hardware tests -name '*.h' -o -name '*.cpp' | xargs clang-format --dry-run -Werror
+find app ui core hardware tests -name '*.h' -o -name '*.cpp' | xargs clang-format --dry-run -Werror

@@ -2,6 +2,7 @@
 #include "ui/shell/main_window.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
@@ -67,6 +68,7 @@ MainWindow::MainWindow(SystemOpener opener, const WindowOptions& options, QWidge
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(QStringLiteral("Kambara Vision"));
     setAcceptDrops(true);
+    qApp->installEventFilter(this);
     setDockNestingEnabled(true);
     status_ = new StatusFields(statusBar());
     build_views();
@@ -177,6 +179,7 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
 }
 
 void MainWindow::show_snapshot(const SnapshotPtr& snapshot) {
+    const bool first = newest_ == nullptr || newest_->run != snapshot->run;
     newest_ = snapshot;
     left_->show_snapshot(snapshot);
     right_->show_snapshot(snapshot);
@@ -184,6 +187,9 @@ void MainWindow::show_snapshot(const SnapshotPtr& snapshot) {
     map_->show_snapshot(snapshot);
     plots_->add(*snapshot);
     scene_->add(*snapshot);
+    if (first) {
+        show_numbers();  // what can be done now should be possible at once
+    }
 }
 
 void MainWindow::show_numbers() {
@@ -241,6 +247,17 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
         default:
             QMainWindow::keyPressEvent(event);
     }
+}
+
+// A dialog keeps shortcuts from the window behind it; the key that stops the head must work all the
+// same.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress && QApplication::activeModalWidget() != nullptr &&
+        QKeySequence(static_cast<QKeyEvent*>(event)->key()) == actions_->halt->shortcut()) {
+        link_->send(HaltHead{});
+        return true;
+    }
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::open_recording_dialog(const SourceRequest& request, const QString& failure) {
