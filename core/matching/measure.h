@@ -10,8 +10,9 @@ namespace kambara {
 
 /// How alike a template and a piece of a picture are (correspondence: similarity measures).
 enum class Measure {
-    sad,   ///< sum of absolute differences; smallest is best; exact
-    ncc,   ///< sum(I T) / sqrt(sum(I^2) sum(T^2)), in [0, 1]; largest is best (1999, equation 2)
+    sad,  ///< sum of absolute differences; smallest is best; a map keeps it as a float, exact up to
+          ///< 2^24
+    ncc,  ///< sum(I T) / sqrt(sum(I^2) sum(T^2)), in [0, 1]; largest is best (1999, equation 2)
     zncc,  ///< the same after each side's mean is removed, in [-1, 1]; 0 over a flat patch
 };
 

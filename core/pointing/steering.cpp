@@ -24,7 +24,8 @@ std::optional<HeadAngles> Steering::command_for(const HeadAngles& wanted,
             return std::nullopt;
         }
     }
-    if (time_ns && commanded_ns_ &&
+    // A time before the last command's is that of a recording that was wound back.
+    if (time_ns && commanded_ns_ && *time_ns >= *commanded_ns_ &&
         static_cast<double>(*time_ns - *commanded_ns_) < options_.min_interval_s * 1e9) {
         return std::nullopt;
     }

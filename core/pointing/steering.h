@@ -28,6 +28,8 @@ class Steering {
 
     /// The wanted angles were beyond the limits at the last call.
     bool at_limit() const { return at_limit_; }
+    /// There is no target to look at: nothing is beyond reach.
+    void nothing_wanted() { at_limit_ = false; }
 
     /// What to command so that the head looks along `wanted`, given what it was last told; empty
     /// where nothing need be done, or where `time_ns` (on any clock that never runs backwards; not

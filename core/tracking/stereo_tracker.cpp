@@ -13,11 +13,33 @@ namespace {
 constexpr int frames_between_full_searches = 5;
 constexpr double preferred_by = 0.05;  // so much worse may the first template be and still decide
 
+// A template of the target as it is seen now, of the size it has now. Refused where it would reach
+// out of the picture or lacks texture.
+Result<ReferencePatch> cut_anew(const StereoFrame& frame, const TargetMeasurement& measured) {
+    const Eigen::Vector2i size = measured.left.size_px;
+    const Eigen::Vector2d corner =
+        measured.left.pixel - 0.5 * (size.cast<double>() - Eigen::Vector2d::Ones());
+    const Rectangle rectangle{static_cast<int>(std::lround(corner.x())),
+                              static_cast<int>(std::lround(corner.y())), size.x(), size.y()};
+    if (const auto fit = check_template(*frame.left.picture, rectangle); !fit) {
+        return fit.error();
+    }
+    return ReferencePatch{frame.left.picture, measured.left.pixel, size, measured.point_in_rig_mm};
+}
+
 std::string percent(double share) {
     return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
 }  // namespace
+
+void TrackEstimate::forget_place() {
+    left_px.reset();
+    right_px.reset();
+    position.reset();
+    search.reset();
+    quality = 0.0;
+}
 
 StereoTracker::StereoTracker(Rig rig, TrackerOptions options)
     : rig_(std::move(rig)), options_(options) {}
@@ -63,7 +85,7 @@ Result<Done> StereoTracker::start() {
 
 void StereoTracker::stop() {
     started_ = false;
-    estimate_.search.reset();
+    estimate_.forget_place();
     if (first_) {
         become(TrackState::template_set, "");
     }
@@ -77,9 +99,16 @@ void StereoTracker::clear() {
     predictor_.reset();
     range_known_ = false;
     started_ = false;
+    place_unknown_ = false;
     frames_in_state_ = 0;
     frames_since_update_ = 0;
     estimate_ = {};
+}
+
+void StereoTracker::forget_motion() {
+    predictor_.reset();
+    last_frame_.reset();
+    place_unknown_ = true;
 }
 
 Result<Done> StereoTracker::update_template() {
@@ -89,8 +118,11 @@ Result<Done> StereoTracker::update_template() {
         return Error{"The target is not in sight, so its template can't be updated.",
                      "Wait until it is tracked, or choose a new template."};
     }
-    first_ = ReferencePatch{last_frame_->left.picture, last_measured_->left.pixel, first_->size_px,
-                            last_measured_->point_in_rig_mm};
+    const auto cut = cut_anew(*last_frame_, *last_measured_);
+    if (!cut) {
+        return cut.error();
+    }
+    first_ = *cut;
     latest_.reset();
     ++estimate_.template_updates;
     return Done{};
@@ -98,19 +130,21 @@ Result<Done> StereoTracker::update_template() {
 
 TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     if (!started_ || !first_) {
+        if (frame.left.index != estimate_.frame) {
+            estimate_.forget_place();  // it was measured in another pair
+        }
         return estimate_;
     }
     ++frames_in_state_;
     ++frames_since_update_;
-    const bool lost = estimate_.state == TrackState::lost;
+    const bool lost = estimate_.state == TrackState::lost || place_unknown_;
     const bool everywhere = lost && frames_in_state_ % frames_between_full_searches == 1;
-    const auto expected = predictor_.at(frame.left.time_ns).value_or(first_->point_in_rig_mm);
-    const auto measured = measure(frame, expected, everywhere);
-    estimate_.left_px.reset();
-    estimate_.right_px.reset();
-    estimate_.position.reset();
+    estimate_.forget_place();
+    estimate_.frame = frame.left.index;
+    const auto measured = measure(frame, expected_place(frame.left.time_ns), lost, everywhere);
     estimate_.quality = measured ? measured->left.quality : 0.0;
     if (!measured) {
+        place_unknown_ = false;  // from here on it is Lost, which looks everywhere as well
         miss(lost ? "looking for it: nothing in the left picture is clearly it"
                   : "the predicted place is outside the left picture");
     } else if (measured->left.quality < options_.lost_quality) {
@@ -124,12 +158,30 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     return estimate_;
 }
 
+// Where the target is thought to be; once it is lost, a place in sight, since a target that has
+// left the picture comes back somewhere inside.
+Eigen::Vector3d StereoTracker::expected_place(std::int64_t time_ns) const {
+    const Eigen::Vector3d expected = predictor_.at(time_ns).value_or(first_->point_in_rig_mm);
+    const auto pixel = rig_.left.project(expected);
+    const bool in_sight = pixel && rig_.left.sees(*pixel);
+    if (in_sight || (estimate_.state != TrackState::lost && !place_unknown_)) {
+        return expected;
+    }
+    const Eigen::Vector3d last =
+        last_measured_ ? last_measured_->point_in_rig_mm : first_->point_in_rig_mm;
+    const Eigen::Vector2d middle(0.5 * (rig_.left.width_px - 1), 0.5 * (rig_.left.height_px - 1));
+    const Eigen::Vector2d half = 0.5 * first_->size_px.cast<double>();
+    const Eigen::Vector2d nearest =
+        pixel ? Eigen::Vector2d(pixel->cwiseMax(half).cwiseMin(2.0 * middle - half)) : middle;
+    const auto ray = rig_.left.unproject(nearest);
+    return ray ? ray->at((last - rig_.left.T_camera_from_rig.centre_mm()).norm()) : expected;
+}
+
 // With both templates, the first decides unless it fits clearly worse.
 std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame,
                                                         const Eigen::Vector3d& expected_in_rig_mm,
-                                                        bool everywhere) {
-    const SearchScope scope{expected_in_rig_mm, range_known_, estimate_.state == TrackState::lost,
-                            everywhere};
+                                                        bool lost, bool everywhere) {
+    const SearchScope scope{expected_in_rig_mm, range_known_, lost, everywhere};
     auto detail = std::make_shared<SearchDetail>();
     auto by_first = search_target(rig_, options_, *first_, frame, scope, detail.get());
     estimate_.search = std::move(detail);
@@ -148,6 +200,8 @@ std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame
 void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& frame) {
     last_measured_ = measured;
     last_frame_ = frame;
+    place_unknown_ = false;
+    estimate_.frame = frame.left.index;
     estimate_.left_px = measured.left.pixel;
     estimate_.right_px.reset();
     if (measured.right) {
@@ -156,6 +210,9 @@ void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& 
     estimate_.position = measured.position;
     estimate_.quality = measured.quality;
     estimate_.reason = measured.fault;
+    if (measured.position && !range_known_) {
+        predictor_.reset();  // what it has seen so far lay at an assumed distance
+    }
     predictor_.update(frame.left.time_ns, measured.point_in_rig_mm);
     if (measured.position && !range_known_) {
         anchor(measured.point_in_rig_mm);
@@ -181,6 +238,7 @@ void StereoTracker::judge(const TargetMeasurement& measured) {
     }
     if (estimate_.state == TrackState::doubtful && frames_in_state_ >= options_.doubtful_frames) {
         become(TrackState::lost, "doubtful for too long: " + estimate_.reason);
+        estimate_.forget_place();
     }
 }
 
@@ -188,10 +246,11 @@ void StereoTracker::refresh_template(const TargetMeasurement& measured, const St
     const bool safe = estimate_.state == TrackState::tracking && range_known_;
     if (options_.automatic_update && safe && measured.quality < options_.update_quality &&
         frames_since_update_ >= options_.update_interval_frames) {
-        latest_ = ReferencePatch{frame.left.picture, measured.left.pixel, first_->size_px,
-                                 measured.point_in_rig_mm};
         frames_since_update_ = 0;
-        ++estimate_.template_updates;
+        if (const auto cut = cut_anew(frame, measured)) {
+            latest_ = *cut;
+            ++estimate_.template_updates;
+        }
     }
 }
 

@@ -22,6 +22,7 @@ namespace kambara {
 
 /// What one pair of pictures said about one target.
 struct TrackEstimate {
+    std::int64_t frame = -1;  ///< the pair it speaks of
     TrackState state = TrackState::idle;
     std::string reason;  ///< why the state is what it is; empty while all is well
     std::optional<Eigen::Vector2d> left_px;   ///< of the template's reference point
@@ -31,6 +32,9 @@ struct TrackEstimate {
     Eigen::Vector2i template_size_px = Eigen::Vector2i::Zero();
     int template_updates = 0;
     std::shared_ptr<const SearchDetail> search;  ///< null while nothing is looked for
+
+    /// Leaves state and template: where the target is is not known of this pair.
+    void forget_place();
 };
 
 /// Follows one target through stereo pairs: window search left, epipolar search right, position.
@@ -62,6 +66,9 @@ class StereoTracker {
     /// Makes what is seen now the new reference. Needs a current match.
     Result<Done> update_template();
 
+    /// Nothing seen so far says where the target is now: it is looked for everywhere.
+    void forget_motion();
+
     /// Takes the next pair. Only while started does it search.
     TrackEstimate process(const StereoFrame& frame);
 
@@ -70,8 +77,9 @@ class StereoTracker {
 
   private:
     std::optional<TargetMeasurement> measure(const StereoFrame& frame,
-                                             const Eigen::Vector3d& expected_in_rig_mm,
+                                             const Eigen::Vector3d& expected_in_rig_mm, bool lost,
                                              bool everywhere);
+    Eigen::Vector3d expected_place(std::int64_t time_ns) const;
     void adopt(const TargetMeasurement& measured, const StereoFrame& frame);
     void judge(const TargetMeasurement& measured);
     void anchor(const Eigen::Vector3d& point_in_rig_mm);
@@ -85,6 +93,7 @@ class StereoTracker {
     std::optional<ReferencePatch> first_;   // the operator's: the reference
     std::optional<ReferencePatch> latest_;  // cut on the way, where the first fits badly
     bool range_known_ = false;
+    bool place_unknown_ = false;
     bool started_ = false;
     int frames_in_state_ = 0;
     int frames_since_update_ = 0;

@@ -23,7 +23,9 @@ std::optional<PatchMatch> find_left(const Rig& rig, const TrackerOptions& option
         return clear(found) ? found : std::nullopt;
     }
     const auto near_by = look(options.window_radius_px);
-    if (scope.lost || (near_by && near_by->quality >= options.good_quality)) {
+    // A best place on the window's edge is a sign of a better one beyond.
+    const bool good = near_by && near_by->quality >= options.good_quality && !near_by->on_border;
+    if (scope.lost || good) {
         return !scope.lost || clear(near_by) ? near_by : std::nullopt;
     }
     // Beyond the window no prediction tells the target from its likes: it must be a clear case.
@@ -70,7 +72,6 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
         best = search_epipolar(patch, rig, grey, bounds_about(rig, options, left.pixel, range_mm),
                                options.band_px, options.search);
         if (best && best->quality >= options.good_quality) {
-            best->distinctness = 1.0;  // the prediction has told it from its likes
             return best;
         }
     }

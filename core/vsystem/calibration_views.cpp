@@ -48,7 +48,8 @@ Result<Reply> CalibrationViews::capture(const ImageSet& images) {
     return Reply(Done{});
 }
 
-Result<std::pair<Rig, CalibrationOutcome>> CalibrationViews::calibrate(const Calibrate& command) {
+Result<std::pair<Rig, CalibrationOutcome>> CalibrationViews::calibrate(const Calibrate& command,
+                                                                       const Rig& before) {
     const auto target = parse_target(command.target);
     if (!target) {
         return target.error();
@@ -82,9 +83,17 @@ Result<std::pair<Rig, CalibrationOutcome>> CalibrationViews::calibrate(const Cal
     CalibrationReport report = calibrate_chessboard(views, *board, options);
     report.rig.provenance.method =
         command.target + ", brown, " + std::to_string(report.views_used) + " views";
+    report.rig.medium = before.medium;
+    if (before.pan_tilt) {
+        report.rig.pan_tilt = before.pan_tilt;
+        report.rig.pan_tilt->T_camera_from_rig = before.pan_tilt->T_camera_from_rig *
+                                                 before.left.T_camera_from_rig.inverse() *
+                                                 report.rig.left.T_camera_from_rig;
+    }
     if (report.verdict != CalibrationReport::Verdict::refused) {
         std::lock_guard lock(mutex_);
-        views_.clear();
+        // Views captured meanwhile stay for the next time.
+        views_.erase(views_.begin(), views_.begin() + static_cast<std::ptrdiff_t>(frames.size()));
     }
     return std::pair(report.rig, outcome_of(report));
 }

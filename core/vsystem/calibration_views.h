@@ -21,8 +21,10 @@ class CalibrationViews {
     Result<Reply> capture(const ImageSet& images);
 
     /// Calibrates from all views kept; on an accepted result they are let go. The rig counts only
-    /// where the outcome holds a rig file's text.
-    Result<std::pair<Rig, CalibrationOutcome>> calibrate(const Calibrate& command);
+    /// where the outcome holds a rig file's text. What this calibration says nothing of, the medium
+    /// and the pan-tilt camera's place beside the left one, is taken over from `before`.
+    Result<std::pair<Rig, CalibrationOutcome>> calibrate(const Calibrate& command,
+                                                         const Rig& before);
 
   private:
     std::mutex mutex_;

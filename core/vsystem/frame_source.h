@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <variant>
 
@@ -25,6 +26,8 @@ class FrameSource {
     virtual Result<NextImages> next(std::stop_token stop) = 0;
     /// Frames dropped because a newer one was there, and frames without a partner.
     virtual std::uint64_t frames_lost() const = 0;
+    /// A fault that does not keep pairs from coming, once.
+    virtual std::optional<Error> take_fault() { return std::nullopt; }
     /// How many pairs there are; -1 where that is not known or never ends.
     virtual std::int64_t frames() const { return -1; }
     /// Goes on with that frame. Refused by sources that can't be wound, which then stay as they

@@ -13,6 +13,7 @@ constexpr std::chrono::milliseconds poll_interval{20};
 
 HeadWorker::HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading)
     : head_(std::move(head)), threading_(threading), limits_(head_->limits()) {
+    poll();  // so that the first reading is one
     if (threading_ == Threading::own_thread) {
         thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
     }
@@ -50,7 +51,12 @@ HeadWorker::Reading HeadWorker::reading() {
         poll();
     }
     std::lock_guard lock(mutex_);
-    return {status_, move_fault_.empty() ? status_fault_ : move_fault_};
+    return {status_, status_fault_.empty() ? move_fault_ : status_fault_};
+}
+
+bool HeadWorker::move_failed() const {
+    std::lock_guard lock(mutex_);
+    return !move_fault_.empty();
 }
 
 void HeadWorker::run(std::stop_token stop) {

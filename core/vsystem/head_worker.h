@@ -35,6 +35,8 @@ class HeadWorker {
     /// Stops the head; angles that still wait are dropped.
     void halt();
     Reading reading();
+    /// The last command was refused by the device.
+    bool move_failed() const;
 
   private:
     void run(std::stop_token stop);
@@ -45,7 +47,7 @@ class HeadWorker {
     std::shared_ptr<PanTiltCamera> head_;
     const Threading threading_;
     const HeadLimits limits_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable_any commanded_;
     std::optional<HeadAngles> waiting_;
     bool halt_waits_ = false;

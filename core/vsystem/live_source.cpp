@@ -63,12 +63,18 @@ class LiveSource final : public FrameSource {
         if (set) {
             return NextImages(std::move(*set));
         }
-        for (const auto& input : inputs_) {
-            if (input && input->error) {
-                return *input->error;
+        for (const std::size_t which : pair_) {
+            if (inputs_[which] && inputs_[which]->error) {
+                return *inputs_[which]->error;
             }
         }
         return anything_over() ? NextImages(EndOfSource{}) : NextImages(NothingYet{});
+    }
+
+    // The third camera is not needed for positions: the pair goes on without it.
+    std::optional<Error> take_fault() override {
+        std::lock_guard lock(mutex_);
+        return inputs_[2] ? std::exchange(inputs_[2]->error, std::nullopt) : std::nullopt;
     }
 
     std::uint64_t frames_lost() const override {
@@ -105,11 +111,11 @@ class LiveSource final : public FrameSource {
                     const bool pairs = which < 2;  // the third camera gives its newest only
                     if (input.frames.size() > (pairs ? frames_kept : 1)) {
                         input.frames.pop_front();
-                        lost_ += pairs ? 1 : 0;
+                        lost_ += which == 0 ? 1 : 0;  // one a pair
                     }
                 }
                 arrived_.notify_all();
-                if (input.error || input.ended) {
+                if (!frame || !*frame) {
                     return;
                 }
             }
@@ -117,7 +123,8 @@ class LiveSource final : public FrameSource {
     }
 
     bool anything_over() const {
-        for (const auto& input : inputs_) {
+        for (const std::size_t which : pair_) {
+            const auto& input = inputs_[which];
             if (input && (input->error || input->ended)) {
                 return true;
             }
@@ -156,6 +163,8 @@ class LiveSource final : public FrameSource {
         }
         return set;
     }
+
+    static constexpr std::size_t pair_[] = {0, 1};
 
     Grabbers grabbers_;
     const Clock& clock_;

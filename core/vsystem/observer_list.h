@@ -56,11 +56,15 @@ class ObserverList {
                     return;
                 }
                 caller_ = std::this_thread::get_id();
+                ++depth_;
             }
             observer_(argument);
             {
+                // An observer's own command may call it again before it returns.
                 std::lock_guard lock(mutex_);
-                caller_ = {};
+                if (--depth_ == 0) {
+                    caller_ = {};
+                }
             }
             returned_.notify_all();
         }
@@ -77,6 +81,7 @@ class ObserverList {
         std::mutex mutex_;
         std::condition_variable returned_;
         std::thread::id caller_;
+        int depth_ = 0;
         bool closed_ = false;
     };
 

@@ -28,22 +28,21 @@ Result<Rig> fitted_to_pictures(const Rig& rig, const Grabbers& grabbers) {
                          "Calibrate both cameras, or leave the right source out."};
         }
     }
-    const int calibrated_width = rig.left.width_px;
-    const int calibrated_height = rig.left.height_px;
-    if (left.width_px == calibrated_width && left.height_px == calibrated_height) {
-        return rig;
+    bool fits = true;
+    for (const Camera* camera : {&rig.left, rig.right ? &*rig.right : &rig.left}) {
+        fits = fits && left.width_px == camera->width_px && left.height_px == camera->height_px;
+        const double factor_x = static_cast<double>(left.width_px) / camera->width_px;
+        const double factor_y = static_cast<double>(left.height_px) / camera->height_px;
+        // A rounded size of the same shape may be off by half a pixel on the shorter side.
+        if (std::abs(factor_x / factor_y - 1.0) > 1.0 / left.height_px) {
+            return Error{"The pictures are " + size_text(left.width_px, left.height_px) +
+                             " pixels, but the rig file is for " +
+                             size_text(camera->width_px, camera->height_px) +
+                             ", which is another shape.",
+                         "Use the rig file that belongs to these pictures, or calibrate anew."};
+        }
     }
-    const double factor_x = static_cast<double>(left.width_px) / calibrated_width;
-    const double factor_y = static_cast<double>(left.height_px) / calibrated_height;
-    // A rounded size of the same shape may be off by half a pixel on the shorter side.
-    if (std::abs(factor_x / factor_y - 1.0) > 1.0 / left.height_px) {
-        return Error{"The pictures are " + size_text(left.width_px, left.height_px) +
-                         " pixels, but the rig file is for " +
-                         size_text(calibrated_width, calibrated_height) +
-                         ", which is another shape.",
-                     "Use the rig file that belongs to these pictures, or calibrate anew."};
-    }
-    return scaled_to(rig, left.width_px, left.height_px);
+    return fits ? rig : scaled_to(rig, left.width_px, left.height_px);
 }
 
 }  // namespace kambara

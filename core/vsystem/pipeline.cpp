@@ -39,11 +39,15 @@ Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSys
 void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     images_ = std::move(images);
     frames_lost_ = frames_lost;
+    if (silent_) {
+        silent_ = false;
+        announce(Event::Kind::note, "Pictures are coming again.");
+    }
     remembered_.push_back({grey_frame(images_.stereo.left), grey_frame(images_.stereo.right)});
     if (remembered_.size() > pairs_remembered) {
         remembered_.pop_front();
     }
-    track(remembered_.back());
+    track(remembered_.back(), tracker_.estimate().state);
     const std::int64_t now_ns = clock_.now_ns();
     handled_ns_.push_back(now_ns);
     while (now_ns - handled_ns_.front() > second_ns) {
@@ -54,9 +58,8 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     publish();
 }
 
-void Pipeline::track(const StereoFrame& frame) {
+void Pipeline::track(const StereoFrame& frame, TrackState before) {
     const std::int64_t started_ns = clock_.now_ns();
-    const TrackState before = tracker_.estimate().state;
     const TrackEstimate estimate = tracker_.process(frame);
     const bool followed = tracker_.started();
     steer(followed ? estimate.position : std::nullopt);
@@ -79,6 +82,14 @@ void Pipeline::announce(Event::Kind kind, std::string text) {
     announce_({kind, images_.stereo.left.index, images_.stereo.left.time_ns, std::move(text)});
 }
 
+void Pipeline::fell_silent() {
+    silent_ = true;
+    handled_ns_.clear();
+    announce(Event::Kind::fault,
+             "No pictures have come for a second. Check that the cameras are connected.");
+    publish();
+}
+
 double Pipeline::rate_hz() const {
     if (handled_ns_.size() < 2) {
         return 0.0;
@@ -96,6 +107,9 @@ void Pipeline::publish() {
     snapshot->failure = failure_;
     if (tracker_.estimate().state != TrackState::idle) {
         snapshot->tracks.push_back({only_track_id, tracker_.estimate()});
+        if (tracker_.estimate().frame != snapshot->frame || silent_) {
+            snapshot->tracks.back().estimate.forget_place();
+        }
     }
     if (head_) {
         const auto reading = head_->reading();
@@ -146,6 +160,10 @@ Result<Reply> Pipeline::select(const SelectTemplate& command) {
 }
 
 Result<Reply> Pipeline::start() {
+    if (remembered_.empty()) {
+        return Error{"There is no picture to start from.", "Wait for the next one."};
+    }
+    const TrackState before = tracker_.estimate().state;
     if (const auto started = tracker_.start(); !started) {
         return started.error();
     }
@@ -153,13 +171,16 @@ Result<Reply> Pipeline::start() {
     // remembered: the target has moved on while the operator looked.
     const std::int64_t since = template_frame_.value_or(images_.stereo.left.index);
     const bool gapless = !remembered_.empty() && remembered_.front().left.index <= since + 1;
+    if (template_frame_ && !gapless) {
+        tracker_.forget_motion();  // it may be anywhere by now
+    }
     for (const StereoFrame& pair : remembered_) {
         if (gapless && pair.left.index > since && pair.left.index < images_.stereo.left.index) {
             tracker_.process(pair);
         }
     }
     template_frame_.reset();
-    track(remembered_.back());
+    track(remembered_.back(), before);
     publish();
     return Reply(Done{});
 }
@@ -186,6 +207,7 @@ Result<Reply> Pipeline::hold(const HoldFrame& command) {
 void Pipeline::wound() {
     const TrackState before = tracker_.estimate().state;
     tracker_.stop();
+    tracker_.forget_motion();
     remembered_.clear();
     handled_ns_.clear();
     template_frame_.reset();
@@ -218,12 +240,16 @@ Result<Reply> Pipeline::clear() {
 }
 
 void Pipeline::steer(const std::optional<Position>& position) {
+    if (!position || !rig_.pan_tilt) {
+        steering_.nothing_wanted();
+    }
     if (!head_ || !position || !rig_.pan_tilt) {
         return;
     }
+    // A command that the head did not take is given again.
+    const auto last = head_->move_failed() ? std::nullopt : commanded_;
     const HeadAngles wanted = angles_towards(rig_, position->point_in_left_mm);
-    if (const auto command =
-            steering_.command_for(wanted, commanded_, images_.stereo.left.time_ns)) {
+    if (const auto command = steering_.command_for(wanted, last, images_.stereo.left.time_ns)) {
         head_->command(*command);
         commanded_ = command;
     }
@@ -242,6 +268,7 @@ Result<Reply> Pipeline::move_head(const MoveHead& command) {
                      "Give angles within these limits."};
     }
     steering_.set_automatic(false);
+    steering_.nothing_wanted();
     head_->command(command.angles);
     commanded_ = command.angles;
     publish();

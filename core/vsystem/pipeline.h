@@ -41,6 +41,9 @@ class Pipeline {
     void use_rig(const Rig& rig);
     /// The source goes on with another frame: nothing seen before it says where the target is.
     void wound();
+    /// The cameras deliver nothing any more: says so, and gives no position until they do.
+    void fell_silent();
+    bool silent() const { return silent_; }
     void set_frames_total(std::int64_t frames) { frames_total_ = frames; }
 
     void set_run(RunState run, std::optional<Error> failure = std::nullopt);
@@ -48,7 +51,7 @@ class Pipeline {
     const ImageSet& images() const { return images_; }
 
   private:
-    void track(const StereoFrame& frame);
+    void track(const StereoFrame& frame, TrackState before);
     const StereoFrame* remembered(std::int64_t frame) const;
     void steer(const std::optional<Position>& position);
     void publish();
@@ -70,6 +73,7 @@ class Pipeline {
     std::optional<StereoFrame> held_;     // likewise, for as long as the operator looks at it
     std::optional<std::int64_t> template_frame_;
     std::int64_t frames_total_ = -1;
+    bool silent_ = false;
     std::deque<std::int64_t> handled_ns_;
     double processing_ms_ = 0.0;
     double latency_ms_ = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,6 +14,9 @@ class SequentialSource final : public FrameSource {
     explicit SequentialSource(Grabbers grabbers) : grabbers_(std::move(grabbers)) {}
 
     Result<NextImages> next(std::stop_token stop) override {
+        if (broken_) {
+            return *broken_;
+        }
         auto left = grabbers_.left->grab(stop);
         if (!left) {
             return left.error();
@@ -45,7 +49,7 @@ class SequentialSource final : public FrameSource {
                 set.pan_tilt = std::move(**third);
             }
         }
-        ++pairs_;
+        next_ = set.stereo.left.index + 1;
         return NextImages(std::move(set));
     }
 
@@ -65,6 +69,17 @@ class SequentialSource final : public FrameSource {
                              std::to_string(frames()) + ".",
                          "Give a number from 0 to " + std::to_string(frames() - 1) + "."};
         }
+        const auto done = seek_all(frame);
+        if (done) {
+            next_ = frame;
+        } else if (!seek_all(next_)) {
+            broken_ = done.error();  // the cameras no longer agree on where they are
+        }
+        return done;
+    }
+
+  private:
+    Result<Done> seek_all(std::int64_t frame) {
         for (GrabberBase* grabber :
              {grabbers_.left.get(), grabbers_.right.get(), grabbers_.pan_tilt.get()}) {
             if (grabber == nullptr) {
@@ -74,22 +89,21 @@ class SequentialSource final : public FrameSource {
                 return done;
             }
         }
-        pairs_ = frame;
         return Done{};
     }
 
-  private:
     Error lengths_differ(bool left_goes_on) const {
         const GrabberBase& shorter = left_goes_on ? *grabbers_.right : *grabbers_.left;
         const GrabberBase& longer = left_goes_on ? *grabbers_.left : *grabbers_.right;
         return {"The left and right recordings have different lengths: " + shorter.info().name +
-                    " ends after " + std::to_string(pairs_) + " frames, " + longer.info().name +
+                    " ends after " + std::to_string(next_) + " frames, " + longer.info().name +
                     " goes on.",
                 "Give two recordings of the same instants, or cut the longer one."};
     }
 
     Grabbers grabbers_;
-    std::int64_t pairs_ = 0;
+    std::int64_t next_ = 0;
+    std::optional<Error> broken_;
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace kambara {
 namespace {
 
 constexpr int patience_rounds = 100;  // of a source's own patience, 50 ms each
+constexpr int silent_rounds = 20;     // likewise: a second
 
 struct WaitingCommand {
     Command command;
@@ -31,8 +32,9 @@ class VisionSystem final : public VsystemInterface {
           pipeline_(
               parts.rig, std::move(parts.head), options, clock,
               [this](SnapshotPtr snapshot) { publish(std::move(snapshot)); },
-              [this](const Event& event) { events_.notify(event); }),
-          source_(make_source(std::move(parts.grabbers), options, clock)) {
+              [this](const Event& event) { in_order(outgoing_events_, event, events_); }),
+          source_(make_source(std::move(parts.grabbers), options, clock)),
+          live_(!options.every_frame) {
         pipeline_.set_frames_total(source_->frames());
     }
 
@@ -128,7 +130,21 @@ class VisionSystem final : public VsystemInterface {
             std::lock_guard lock(mutex_);
             latest_ = snapshot;
         }
-        snapshots_.notify(snapshot);
+        in_order(outgoing_snapshots_, std::move(snapshot), snapshots_);
+    }
+
+    // An observer may execute commands that publish in turn: what they publish waits until everyone
+    // has seen what came before it.
+    template <class Item>
+    void in_order(std::deque<Item>& outgoing, Item item, ObserverList<Item>& observers) {
+        outgoing.push_back(std::move(item));
+        if (outgoing.size() > 1) {
+            return;
+        }
+        while (!outgoing.empty()) {
+            observers.notify(outgoing.front());
+            outgoing.pop_front();
+        }
     }
 
     bool flowing() const { return pipeline_.run() == RunState::running || steps_ > 0; }
@@ -154,9 +170,19 @@ class VisionSystem final : public VsystemInterface {
 
     void take_next(std::stop_token stop) {
         auto next = source_->next(stop);
-        if (stop.stop_requested() || (next && std::holds_alternative<NothingYet>(*next))) {
+        if (stop.stop_requested()) {
             return;
         }
+        if (const auto fault = source_->take_fault()) {
+            in_order(outgoing_events_, Event{Event::Kind::fault, -1, 0, fault->text()}, events_);
+        }
+        if (next && std::holds_alternative<NothingYet>(*next)) {
+            if (live_ && ++empty_rounds_ == silent_rounds) {
+                pipeline_.fell_silent();
+            }
+            return;
+        }
+        empty_rounds_ = 0;
         if (!next) {
             steps_ = 0;
             pipeline_.set_run(RunState::failed, next.error());
@@ -226,7 +252,7 @@ class VisionSystem final : public VsystemInterface {
     // The computation runs on the caller's thread, so that the pictures keep flowing; only its
     // result is handed to the pipeline.
     Result<Reply> run_calibration(const Calibrate& command) {
-        auto outcome = views_.calibrate(command);
+        auto outcome = views_.calibrate(command, rig());
         if (!outcome || outcome->second.rig_text.empty()) {
             return outcome ? Result<Reply>(Reply(outcome->second)) : Result<Reply>(outcome.error());
         }
@@ -267,6 +293,8 @@ class VisionSystem final : public VsystemInterface {
 
     ObserverList<SnapshotPtr> snapshots_;
     ObserverList<Event> events_;
+    std::deque<SnapshotPtr> outgoing_snapshots_;
+    std::deque<Event> outgoing_events_;
     mutable std::mutex mutex_;
     std::condition_variable_any work_;
     std::deque<WaitingCommand> commands_;
@@ -278,6 +306,8 @@ class VisionSystem final : public VsystemInterface {
     Pipeline pipeline_;
     std::unique_ptr<FrameSource> source_;
     int steps_ = 0;
+    const bool live_;
+    int empty_rounds_ = 0;
     std::jthread thread_;
 };
 

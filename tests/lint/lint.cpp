@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_lines = 600;
+constexpr int most_lines_in_ui = 400;
 
 // Which rooms a room may include beside itself. This is the table that the rooms' READMEs tell.
 const std::map<std::string, std::set<std::string>>& allowed_includes() {
@@ -139,10 +140,11 @@ void check_file(const fs::path& root, const fs::path& path, std::vector<Fault>& 
             check_include(file, number, *include, faults);
         }
     }
-    if (number > most_lines) {
-        faults.push_back({file, 0,
-                          std::to_string(number) + " lines, more than " +
-                              std::to_string(most_lines) + ": cut it"});
+    const int most = room_of(file) == "ui" ? most_lines_in_ui : most_lines;
+    if (number > most) {
+        faults.push_back(
+            {file, 0,
+             std::to_string(number) + " lines, more than " + std::to_string(most) + ": cut it"});
     }
     if (!licensed) {
         faults.push_back({file, 0, "the licence line is missing"});
@@ -189,17 +191,25 @@ std::vector<Fault> faults_of_sources(const fs::path& root) {
     return faults;
 }
 
-std::vector<Fault> faults_of_headers(const fs::path& root, const std::string& compiler) {
-    const auto headers = files_under(root, {"app", "ui", "core", "hardware"}, {".h"});
+std::vector<Fault> faults_of_headers(const fs::path& root, const std::string& compiler,
+                                     const std::vector<std::string>& without) {
+    auto headers = files_under(root, {"app", "ui", "core", "hardware"}, {".h"});
+    std::erase_if(headers, [&](const fs::path& header) {
+        const std::string file = header.lexically_relative(root).generic_string();
+        return std::any_of(without.begin(), without.end(), [&](const std::string& folder) {
+            return file.starts_with(folder + "/");
+        });
+    });
     const unsigned workers = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::future<std::vector<Fault>>> parts;
     for (unsigned worker = 0; worker < workers; ++worker) {
         parts.push_back(std::async(std::launch::async, [&, worker] {
             std::vector<Fault> faults;
             for (std::size_t i = worker; i < headers.size(); i += workers) {
-                const std::string command = compiler + " -fsyntax-only -x c++ -I" +
-                                            quoted(root.string()) + " " +
-                                            quoted(headers[i].string());
+                // As an include of an empty file: a header as the main file has its own warnings.
+                const std::string command = compiler + " -fsyntax-only -I" + quoted(root.string()) +
+                                            " -include " + quoted(headers[i].string()) +
+                                            " -x c++ /dev/null";
                 if (std::system(command.c_str()) != 0) {
                     faults.push_back({headers[i].lexically_relative(root).generic_string(), 0,
                                       "does not compile by itself"});

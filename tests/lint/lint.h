@@ -19,9 +19,10 @@ struct Fault {
 std::vector<Fault> faults_of_sources(const std::filesystem::path& root);
 
 /// Compiles every header of app, ui, core and hardware by itself with `compiler` (a command with
-/// its flags) and reports those that fail.
-std::vector<Fault> faults_of_headers(const std::filesystem::path& root,
-                                     const std::string& compiler);
+/// its flags) and reports those that fail. Folders in `without` are left out: what they need is
+/// not installed.
+std::vector<Fault> faults_of_headers(const std::filesystem::path& root, const std::string& compiler,
+                                     const std::vector<std::string>& without = {});
 
 std::string to_string(const Fault& fault);
 

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// kambara-lint ROOT [COMPILER WITH FLAGS]: prints what is against the rules; exit code 1 if any is.
+// kambara-lint ROOT [--without FOLDER]... [COMPILER WITH FLAGS]: prints what is against the rules;
+// exit code 1 if any is. With a compiler, every header outside those folders is compiled.
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "tests/lint/lint.h"
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fputs("usage: kambara-lint ROOT [COMPILER FLAGS...]\n", stderr);
+        std::fputs("usage: kambara-lint ROOT [--without FOLDER]... [COMPILER FLAGS...]\n", stderr);
         return 2;
     }
     auto faults = kambara::lint::faults_of_sources(argv[1]);
-    if (argc > 2) {
-        std::string compiler;
-        for (int i = 2; i < argc; ++i) {
-            compiler += std::string(i > 2 ? " " : "") + argv[i];
+    int next = 2;
+    std::vector<std::string> without;
+    for (; next + 1 < argc && std::string(argv[next]) == "--without"; next += 2) {
+        without.emplace_back(argv[next + 1]);
+    }
+    if (next < argc) {
+        std::string compiler = argv[next];
+        for (++next; next < argc; ++next) {
+            compiler += std::string(" ") + argv[next];
         }
-        for (auto& fault : kambara::lint::faults_of_headers(argv[1], compiler)) {
+        for (auto& fault : kambara::lint::faults_of_headers(argv[1], compiler, without)) {
             faults.push_back(std::move(fault));
         }
     }

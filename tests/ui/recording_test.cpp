@@ -148,7 +148,7 @@ TEST_F(RecordingInTheWindow, IsOpenedByDroppingItsFolders) {
     EXPECT_TRUE(page.until([&] {
         return page.left().shown() && page.shown().frames_total == frames;
     })) << page.text("notice").toStdString();
-    EXPECT_TRUE(page.right().shown()->pictures.stereo.right.picture);
+    EXPECT_TRUE(page.shown_right().pictures.stereo.right.picture);
 }
 
 }  // namespace

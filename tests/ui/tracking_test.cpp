@@ -32,7 +32,7 @@ void expect_target_on_show(WindowPage& page) {
         EXPECT_TRUE(page.until([&] { return page.scene().trail_points() > 5; }));
     }
     EXPECT_TRUE(page.until([&] { return page.plots().samples_shown() > 5; }));
-    EXPECT_EQ(page.right().shown()->frame, page.left().shown()->frame);
+    EXPECT_EQ(page.shown_right().frame, page.shown().frame);
 }
 
 TEST(TrackingInTheWindow, OneDragFromLaunchToATrackedTargetWithinTwentySeconds) {
@@ -51,7 +51,7 @@ TEST(TrackingInTheWindow, WithTheKeyboardAlone) {
     page.key(Qt::Key_T);
     ASSERT_TRUE(page.left().selecting());
     const Rectangle target = page.target();
-    const Snapshot& shown = page.shown();
+    const Snapshot shown = page.shown();
     const int dx = target.x + target.width / 2 - shown.pictures.stereo.left.picture->width() / 2;
     const int dy = target.y + target.height / 2 - shown.pictures.stereo.left.picture->height() / 2;
     page.key(dx > 0 ? Qt::Key_Right : Qt::Key_Left, Qt::NoModifier, std::abs(dx) / 10);
@@ -87,7 +87,7 @@ TEST(TrackingInTheWindow, SelectsInAFrozenPictureHoweverOld) {
     const std::int64_t frozen = page.shown().frame;
     const Rectangle target = page.target();
     // More pairs go by than the pipeline remembers by itself.
-    ASSERT_TRUE(page.until([&] { return page.right().shown()->frame > frozen + 40; }));
+    ASSERT_TRUE(page.until([&] { return page.shown_right().frame > frozen + 40; }));
     EXPECT_EQ(page.shown().frame, frozen);
     page.drag(target);
     EXPECT_FALSE(page.left().frozen());

@@ -48,7 +48,9 @@ class WindowPage {
     /// The target's rectangle in the left picture that is on show.
     Rectangle target() const;
 
-    const Snapshot& shown() { return *left().shown(); }
+    /// What the left or the right view shows; an empty one as long as nothing is shown.
+    Snapshot shown() { return shown_in(left()); }
+    Snapshot shown_right() { return shown_in(right()); }
     const SimulatedWorld& world() const { return *world_; }
     ui::MainWindow& window() { return *window_; }
 
@@ -62,6 +64,10 @@ class WindowPage {
     }
 
   private:
+    static Snapshot shown_in(const ui::VideoView& view) {
+        return view.shown() ? *view.shown() : Snapshot{};
+    }
+
     SteadyClock clock_;
     std::unique_ptr<SimulatedWorld> world_;
     std::unique_ptr<ui::MainWindow> window_;
