@@ -1,4 +1,980 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
+<context>
+    <name>core</name>
+    <message>
+        <source>doubtful for too long: %1</source>
+        <translation>zu lange unsicher: %1</translation>
+    </message>
+    <message>
+        <source>given up: %1</source>
+        <translation>aufgegeben: %1</translation>
+    </message>
+    <message>
+        <source>no position: %1</source>
+        <translation>keine Position: %1</translation>
+    </message>
+    <message>
+        <source>the match is only %1 % alike</source>
+        <translation>der Treffer ist nur zu %1 % ähnlich</translation>
+    </message>
+    <message>
+        <source>the most similar place in the left picture is only %1 % alike</source>
+        <translation>die ähnlichste Stelle im linken Bild ist nur zu %1 % ähnlich</translation>
+    </message>
+    <message>
+        <source>looking for it: nothing in the left picture is clearly it</source>
+        <translation>wird gesucht: nichts im linken Bild ist es eindeutig</translation>
+    </message>
+    <message>
+        <source>the predicted place is outside the left picture</source>
+        <translation>die vorhergesagte Stelle liegt außerhalb des linken Bilds</translation>
+    </message>
+    <message>
+        <source>not found in the right picture</source>
+        <translation>im rechten Bild nicht gefunden</translation>
+    </message>
+    <message>
+        <source>the right picture holds another place that looks the same</source>
+        <translation>im rechten Bild sieht eine andere Stelle gleich aus</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2: %3</source>
+        <translation>%1 -&gt; %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2</source>
+        <translation>%1 -&gt; %2</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Ohne Ziel</translation>
+    </message>
+    <message>
+        <source>TemplateSet</source>
+        <translation>Vorlage gewählt</translation>
+    </message>
+    <message>
+        <source>Tracking</source>
+        <translation>Verfolgt</translation>
+    </message>
+    <message>
+        <source>Doubtful</source>
+        <translation>Unsicher</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Verloren</translation>
+    </message>
+    <message>
+        <source>The source has come to its end.</source>
+        <translation>Die Quelle ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>The template was updated by command.</source>
+        <translation>Die Vorlage wurde auf Befehl erneuert.</translation>
+    </message>
+    <message>
+        <source>A new calibration is in use. Choose the template again.</source>
+        <translation>Eine neue Kalibrierung gilt. Wählen Sie die Vorlage noch einmal.</translation>
+    </message>
+    <message>
+        <source>There is no template to follow.</source>
+        <translation>Es gibt keine Vorlage zum Verfolgen.</translation>
+    </message>
+    <message>
+        <source>Choose one in the left picture first.</source>
+        <translation>Wählen Sie erst eine im linken Bild.</translation>
+    </message>
+    <message>
+        <source>The target is not in sight, so its template can&apos;t be updated.</source>
+        <translation>Das Ziel ist nicht zu sehen, darum kann seine Vorlage nicht erneuert werden.</translation>
+    </message>
+    <message>
+        <source>Wait until it is tracked, or choose a new template.</source>
+        <translation>Warten Sie, bis es verfolgt wird, oder wählen Sie eine neue Vorlage.</translation>
+    </message>
+    <message>
+        <source>Frame %1 is no longer remembered.</source>
+        <translation>Bild %1 ist nicht mehr im Gedächtnis.</translation>
+    </message>
+    <message>
+        <source>Choose the template in a newer picture.</source>
+        <translation>Wählen Sie die Vorlage in einem neueren Bild.</translation>
+    </message>
+    <message>
+        <source>There is no pan-tilt head.</source>
+        <translation>Es gibt keinen Schwenkkopf.</translation>
+    </message>
+    <message>
+        <source>Connect one, or name it when starting.</source>
+        <translation>Schließen Sie einen an oder nennen Sie ihn beim Start.</translation>
+    </message>
+    <message>
+        <source>The head can&apos;t look there: it reaches %1 degrees to the sides and %2 up and down.</source>
+        <translation>Dorthin kann der Kopf nicht blicken: er reicht %1 Grad zur Seite und %2 nach oben und unten.</translation>
+    </message>
+    <message>
+        <source>Give angles within these limits.</source>
+        <translation>Geben Sie Winkel innerhalb dieser Grenzen an.</translation>
+    </message>
+    <message>
+        <source>The rig file does not say where the pan-tilt camera is.</source>
+        <translation>Die Kalibrierdatei sagt nicht, wo die Schwenkkamera ist.</translation>
+    </message>
+    <message>
+        <source>Calibrate it with the others, then hand over the steering.</source>
+        <translation>Kalibrieren Sie sie mit den anderen, dann übergeben Sie die Nachführung.</translation>
+    </message>
+    <message>
+        <source>The source is over: there are no more pictures to take.</source>
+        <translation>Die Quelle ist zu Ende: es kommen keine Bilder mehr.</translation>
+    </message>
+    <message>
+        <source>Go back to an earlier frame, or open it again.</source>
+        <translation>Gehen Sie zu einem früheren Bild zurück oder öffnen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>There is no frame %1: the recording has %2.</source>
+        <translation>Es gibt kein Bild %1: die Aufnahme hat %2.</translation>
+    </message>
+    <message>
+        <source>Live pictures can&apos;t be wound to another frame.</source>
+        <translation>Livebilder lassen sich nicht zu einem anderen Bild spulen.</translation>
+    </message>
+    <message>
+        <source>Open a recording.</source>
+        <translation>Öffnen Sie eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The template %1 is not inside the picture of %2 pixels.</source>
+        <translation>Die Vorlage %1 liegt nicht im Bild von %2 Pixeln.</translation>
+    </message>
+    <message>
+        <source>Choose a rectangle that lies wholly inside.</source>
+        <translation>Wählen Sie ein Rechteck, das ganz darin liegt.</translation>
+    </message>
+    <message>
+        <source>The template %1 is too small to be followed.</source>
+        <translation>Die Vorlage %1 ist zu klein, um verfolgt zu werden.</translation>
+    </message>
+    <message>
+        <source>Choose at least 7 x 7 pixels; 21 x 21 is a good size.</source>
+        <translation>Wählen Sie mindestens 7 x 7 Pixel; 21 x 21 ist eine gute Größe.</translation>
+    </message>
+    <message>
+        <source>The template %1 has no texture: its grey levels vary by %2, noise included.</source>
+        <translation>Die Vorlage %1 hat keine Struktur: ihre Grauwerte schwanken um %2, Rauschen eingerechnet.</translation>
+    </message>
+    <message>
+        <source>Choose a piece with marks or edges, or a larger one.</source>
+        <translation>Wählen Sie ein Stück mit Zeichen oder Kanten oder ein größeres.</translation>
+    </message>
+    <message>
+        <source>The template %1 has texture in one direction only and would slide along it.</source>
+        <translation>Die Vorlage %1 hat nur in einer Richtung Struktur und würde daran entlanggleiten.</translation>
+    </message>
+    <message>
+        <source>Include a corner, an end of the edge or another mark.</source>
+        <translation>Nehmen Sie eine Ecke, das Ende der Kante oder ein anderes Zeichen hinein.</translation>
+    </message>
+    <message>
+        <source>The template %1 lies where the left lens&apos;s calibration does not reach.</source>
+        <translation>Die Vorlage %1 liegt dort, wohin die Kalibrierung der linken Linse nicht reicht.</translation>
+    </message>
+    <message>
+        <source>Choose a place nearer to the middle of the picture.</source>
+        <translation>Wählen Sie eine Stelle näher an der Bildmitte.</translation>
+    </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>Es gibt keine Datei %1.</translation>
+    </message>
+    <message>
+        <source>Check the name and the folder.</source>
+        <translation>Prüfen Sie Namen und Ordner.</translation>
+    </message>
+    <message>
+        <source>No pictures have come from the cameras within five seconds.</source>
+        <translation>Innerhalb von fünf Sekunden kamen keine Bilder von den Kameras.</translation>
+    </message>
+    <message>
+        <source>Check that they are connected and that nothing else uses them.</source>
+        <translation>Prüfen Sie, ob sie angeschlossen sind und nichts anderes sie benutzt.</translation>
+    </message>
+    <message>
+        <source>The left and right recordings have different lengths: %1 ends after %2 frames, %3 goes on.</source>
+        <translation>Die linke und die rechte Aufnahme sind verschieden lang: %1 endet nach %2 Bildern, %3 geht weiter.</translation>
+    </message>
+    <message>
+        <source>Give two recordings of the same instants, or cut the longer one.</source>
+        <translation>Geben Sie zwei Aufnahmen derselben Augenblicke an oder kürzen Sie die längere.</translation>
+    </message>
+    <message>
+        <source>The pictures are %1 pixels, but the rig file is for %2, which is another shape.</source>
+        <translation>Die Bilder haben %1 Pixel, die Kalibrierdatei gilt aber für %2, und das ist eine andere Form.</translation>
+    </message>
+    <message>
+        <source>Use the rig file that belongs to these pictures, or calibrate anew.</source>
+        <translation>Nehmen Sie die Kalibrierdatei, die zu diesen Bildern gehört, oder kalibrieren Sie neu.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::CommandLine</name>
+    <message>
+        <source>Stereo vision for underwater vehicles. Without options: the simulated rig.</source>
+        <translation>Stereosehen für Unterwasserfahrzeuge. Ohne Optionen: die simulierte Anlage.</translation>
+    </message>
+    <message>
+        <source>SOURCE</source>
+        <translation>QUELLE</translation>
+    </message>
+    <message>
+        <source>Left pictures: a video, a pattern, or sim:PROFILE.</source>
+        <translation>Linke Bilder: ein Video, ein Muster oder sim:PROFIL.</translation>
+    </message>
+    <message>
+        <source>Right pictures.</source>
+        <translation>Rechte Bilder.</translation>
+    </message>
+    <message>
+        <source>FILE</source>
+        <translation>DATEI</translation>
+    </message>
+    <message>
+        <source>The rig file of these pictures.</source>
+        <translation>Die Kalibrierdatei dieser Bilder.</translation>
+    </message>
+    <message>
+        <source>HZ</source>
+        <translation>HZ</translation>
+    </message>
+    <message>
+        <source>Rate of single pictures (10 Hz unless given).</source>
+        <translation>Rate von Einzelbildern (ohne Angabe 10 Hz).</translation>
+    </message>
+    <message>
+        <source>CODE</source>
+        <translation>CODE</translation>
+    </message>
+    <message>
+        <source>Language of the window, such as de or en.</source>
+        <translation>Sprache des Fensters, etwa de oder en.</translation>
+    </message>
+    <message>
+        <source>Without the 3-D view.</source>
+        <translation>Ohne die 3-D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>%1 is not understood: sources are named with --left and --right. See --help.</source>
+        <translation>%1 ist unverständlich: Quellen werden mit --left und --right genannt. Siehe --help.</translation>
+    </message>
+    <message>
+        <source>The left camera&apos;s pictures are missing: name them with --left.</source>
+        <translation>Die Bilder der linken Kamera fehlen: nennen Sie sie mit --left.</translation>
+    </message>
+    <message>
+        <source>--rate %1 is no rate: give a number of pictures a second, 0.1 to 1000.</source>
+        <translation>--rate %1 ist keine Rate: geben Sie eine Zahl von Bildern in der Sekunde an, 0.1 bis 1000.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::About</name>
+    <message>
+        <source>Stereo vision for underwater vehicles: calibrate, track, position, point.</source>
+        <translation>Stereosehen für Unterwasserfahrzeuge: kalibrieren, verfolgen, vermessen, zielen.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later. It comes without any warranty.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder später. Sie kommt ohne jede Gewähr.</translation>
+    </message>
+    <message>
+        <source>It runs on Qt %1 (LGPL-3), VTK (BSD-3), QCustomPlot (GPL-3), OpenCV (Apache-2), Eigen (MPL-2), Ceres Solver (BSD-3), yaml-cpp (MIT) and nlohmann-json (MIT).</source>
+        <translation>Sie läuft mit Qt %1 (LGPL-3), VTK (BSD-3), QCustomPlot (GPL-3), OpenCV (Apache-2), Eigen (MPL-2), Ceres Solver (BSD-3), yaml-cpp (MIT) und nlohmann-json (MIT).</translation>
+    </message>
+    <message>
+        <source>About Kambara</source>
+        <translation>Über Kambara</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::CorrelationMapView</name>
+    <message>
+        <source>No search yet. Choose a target in the left picture.</source>
+        <translation>Noch keine Suche. Wählen Sie ein Ziel im linken Bild.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::EventLog</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::MainWindow</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>simulated rig</source>
+        <translation>simulierte Anlage</translation>
+    </message>
+    <message>
+        <source>Kambara Vision – %1</source>
+        <translation>Kambara Vision – %1</translation>
+    </message>
+    <message>
+        <source>Opened: %1</source>
+        <translation>Geöffnet: %1</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Pan-tilt</source>
+        <translation>Schwenkkamera</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Pan-tilt picture</source>
+        <translation>Bild der Schwenkkamera</translation>
+    </message>
+    <message>
+        <source>Pan-tilt head</source>
+        <translation>Schwenkkopf</translation>
+    </message>
+    <message>
+        <source>Correlation map</source>
+        <translation>Korrelationskarte</translation>
+    </message>
+    <message>
+        <source>3-D view</source>
+        <translation>3-D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>Au&amp;fnahme</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>&amp;Ziel</translation>
+    </message>
+    <message>
+        <source>&amp;Head</source>
+        <translation>&amp;Kopf</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>H&amp;elp</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::OpenRecordingDialog</name>
+    <message>
+        <source>Open recording</source>
+        <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>A video file, or pictures by a pattern such as left/*.png or left_%06d.png.</source>
+        <translation>Eine Videodatei oder Bilder nach einem Muster wie left/*.png oder left_%06d.png.</translation>
+    </message>
+    <message>
+        <source>Videos and pictures (*.mkv *.mp4 *.avi *.mov *.png *.jpg *.jpeg *.tif *.tiff *.bmp *.pgm *.ppm);;All files (*)</source>
+        <translation>Videos und Bilder (*.mkv *.mp4 *.avi *.mov *.png *.jpg *.jpeg *.tif *.tiff *.bmp *.pgm *.ppm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>left camera&apos;s pictures</source>
+        <translation>Bilder der linken Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>right camera&apos;s; empty: one camera, directions only</source>
+        <translation>der rechten Kamera; leer: eine Kamera, nur Richtungen</translation>
+    </message>
+    <message>
+        <source>Ri&amp;g file</source>
+        <translation>&amp;Kalibrierdatei</translation>
+    </message>
+    <message>
+        <source>the calibration of both</source>
+        <translation>die Kalibrierung beider Kameras</translation>
+    </message>
+    <message>
+        <source>Rig files (*.yaml *.yml);;All files (*)</source>
+        <translation>Kalibrierdateien (*.yaml *.yml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>How fast single pictures follow each other; videos know it themselves.</source>
+        <translation>Wie schnell Einzelbilder einander folgen; Videos wissen es selbst.</translation>
+    </message>
+    <message>
+        <source>&amp;Single pictures at</source>
+        <translation>&amp;Einzelbilder mit</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Name the left camera&apos;s pictures.</source>
+        <translation>Nennen Sie die Bilder der linken Kamera.</translation>
+    </message>
+    <message>
+        <source>Name the rig file that belongs to the pictures.</source>
+        <translation>Nennen Sie die Kalibrierdatei, die zu den Bildern gehört.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::PanTiltPad</name>
+    <message>
+        <source>Press or drag to look there. Arrow keys turn the head by 5°.</source>
+        <translation>Drücken oder ziehen, um dorthin zu blicken. Die Pfeiltasten drehen den Kopf um 5°.</translation>
+    </message>
+    <message>
+        <source>Pan-tilt pad</source>
+        <translation>Steuerfeld des Schwenkkopfs</translation>
+    </message>
+    <message>
+        <source>no head</source>
+        <translation>kein Kopf</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::PanTiltPanel</name>
+    <message>
+        <source>There is no pan-tilt head.</source>
+        <translation>Es gibt keinen Schwenkkopf.</translation>
+    </message>
+    <message>
+        <source>pan %1   tilt %2   %3</source>
+        <translation>Schwenk %1   Neigung %2   %3</translation>
+    </message>
+    <message>
+        <source>steered to the target</source>
+        <translation>dem Ziel nachgeführt</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>The target is beyond the head&apos;s reach.</source>
+        <translation>Das Ziel liegt außerhalb der Reichweite des Kopfs.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::PlaybackBar</name>
+    <message>
+        <source>Frame of the recording</source>
+        <translation>Bild der Aufnahme</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2,  %3</source>
+        <translation>Bild %1 von %2,  %3</translation>
+    </message>
+    <message>
+        <source>frame %1,  %2</source>
+        <translation>Bild %1,  %2</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::PlotsPanel</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>Pause plots</source>
+        <translation>Verläufe anhalten</translation>
+    </message>
+    <message>
+        <source>Holds the drawing; nothing that comes meanwhile is lost.</source>
+        <translation>Hält die Zeichnung an; was währenddessen kommt, geht nicht verloren.</translation>
+    </message>
+    <message>
+        <source>Point at a plot to read values off.</source>
+        <translation>Zeigen Sie auf einen Verlauf, um Werte abzulesen.</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>at %1 s</source>
+        <translation>bei %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::SceneView</name>
+    <message>
+        <source>left green, right cyan, pan-tilt amber
+95 % ellipsoid drawn %1 times as large</source>
+        <translation>links grün, rechts cyan, Schwenkkamera bernsteinfarben
+95-%-Ellipsoid %1-fach vergrößert gezeichnet</translation>
+    </message>
+    <message>
+        <source>There is no 3-D view: OpenGL 3.2 is not available here.
+Everything else works. To have it, install a graphics driver or run the program where the screen is.</source>
+        <translation>Es gibt keine 3-D-Ansicht: OpenGL 3.2 ist hier nicht verfügbar.
+Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das Programm dort starten, wo der Bildschirm ist.</translation>
+    </message>
+    <message>
+        <source>Behind</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Look along with the cameras</source>
+        <translation>In Blickrichtung der Kameras</translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Look down on the rig</source>
+        <translation>Von oben auf die Anlage</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Look from the right</source>
+        <translation>Von rechts</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Keeps the target in the middle</source>
+        <translation>Hält das Ziel in der Mitte</translation>
+    </message>
+    <message>
+        <source>Clear trail</source>
+        <translation>Spur löschen</translation>
+    </message>
+    <message>
+        <source>Forgets where the target was</source>
+        <translation>Vergisst, wo das Ziel war</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Writes the 3-D view as a PNG file</source>
+        <translation>Schreibt die 3-D-Ansicht als PNG-Datei</translation>
+    </message>
+    <message>
+        <source>Save 3-D picture</source>
+        <translation>3-D-Bild speichern</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 can&apos;t be written. Choose a folder that you may write to.</source>
+        <translation>%1 kann nicht geschrieben werden. Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::StatusFields</name>
+    <message>
+        <source>Where the pictures come from</source>
+        <translation>Woher die Bilder kommen</translation>
+    </message>
+    <message>
+        <source>The medium the calibration holds for</source>
+        <translation>Das Medium, für das die Kalibrierung gilt</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>Pairs of pictures handled in a second</source>
+        <translation>In einer Sekunde verarbeitete Bildpaare</translation>
+    </message>
+    <message>
+        <source>From a pair&apos;s arrival to its result</source>
+        <translation>Vom Eintreffen eines Bildpaars bis zum Ergebnis</translation>
+    </message>
+    <message>
+        <source>latency %1</source>
+        <translation>Verzögerung %1</translation>
+    </message>
+    <message>
+        <source>Pairs that came while the pipeline was busy, or without a partner</source>
+        <translation>Bildpaare, die bei belegter Verarbeitung oder ohne Partner kamen</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 verloren</translation>
+    </message>
+    <message>
+        <source>air</source>
+        <translation>Luft</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::TrackPanel</name>
+    <message>
+        <source>x (right)</source>
+        <translation>x (rechts)</translation>
+    </message>
+    <message>
+        <source>In the left camera&apos;s frame; ± one standard deviation from image noise.</source>
+        <translation>Im System der linken Kamera; ± eine Standardabweichung aus dem Bildrauschen.</translation>
+    </message>
+    <message>
+        <source>y (down)</source>
+        <translation>y (unten)</translation>
+    </message>
+    <message>
+        <source>z (ahead)</source>
+        <translation>z (voraus)</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Entfernung</translation>
+    </message>
+    <message>
+        <source>Distance from the left camera.</source>
+        <translation>Abstand von der linken Kamera.</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>How like the template the target is, in the worse of both pictures.</source>
+        <translation>Wie ähnlich das Ziel der Vorlage ist, im schlechteren der beiden Bilder.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>How far the two matches are from a common point.</source>
+        <translation>Wie weit die beiden Treffer von einem gemeinsamen Punkt entfernt sind.</translation>
+    </message>
+    <message>
+        <source>Template updates</source>
+        <translation>Vorlage erneuert</translation>
+    </message>
+    <message>
+        <source>How often a fresh template was cut since the target was chosen.</source>
+        <translation>Wie oft seit der Wahl des Ziels eine neue Vorlage ausgeschnitten wurde.</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle over the target in the left picture.</source>
+        <translation>Ziehen Sie im linken Bild ein Rechteck über das Ziel.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::VideoView</name>
+    <message>
+        <source>   red %1  green %2  blue %3</source>
+        <translation>   Rot %1  Grün %2  Blau %3</translation>
+    </message>
+    <message>
+        <source>   grey %1</source>
+        <translation>   Grau %1</translation>
+    </message>
+    <message>
+        <source>%1: no picture</source>
+        <translation>%1: kein Bild</translation>
+    </message>
+    <message>
+        <source>%1   frame %2</source>
+        <translation>%1   Bild %2</translation>
+    </message>
+    <message>
+        <source>FROZEN</source>
+        <translation>ANGEHALTEN</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <translation>%1 alt</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::WindowActions</name>
+    <message>
+        <source>&amp;Open recording…</source>
+        <translation>Aufnahme ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Opens pictures or videos of both cameras</source>
+        <translation>Öffnet Bilder oder Videos beider Kameras</translation>
+    </message>
+    <message>
+        <source>&amp;Simulated rig</source>
+        <translation>&amp;Simulierte Anlage</translation>
+    </message>
+    <message>
+        <source>Runs on the simulated rig, live</source>
+        <translation>Läuft an der simulierten Anlage</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Closes the program</source>
+        <translation>Schließt das Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Lets the recording run, or holds it</source>
+        <translation>Lässt die Aufnahme laufen oder hält sie an</translation>
+    </message>
+    <message>
+        <source>S&amp;tep</source>
+        <translation>S&amp;chritt</translation>
+    </message>
+    <message>
+        <source>Takes one pair of pictures</source>
+        <translation>Nimmt ein Bildpaar</translation>
+    </message>
+    <message>
+        <source>&amp;Freeze picture</source>
+        <translation>Bild an&amp;halten</translation>
+    </message>
+    <message>
+        <source>Holds the left picture still, to choose a target in it; the pipeline goes on</source>
+        <translation>Hält das linke Bild an, um darin ein Ziel zu wählen; die Verarbeitung läuft weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Select target</source>
+        <translation>Ziel &amp;wählen</translation>
+    </message>
+    <message>
+        <source>Offers a rectangle in the left picture: arrow keys move it, with Shift they change its size, Enter takes it. With the mouse: drag a rectangle</source>
+        <translation>Bietet im linken Bild ein Rechteck an: Pfeiltasten verschieben es, mit Umschalt ändern sie seine Größe, Eingabe übernimmt es. Mit der Maus: ein Rechteck ziehen</translation>
+    </message>
+    <message>
+        <source>St&amp;art tracking</source>
+        <translation>Verfolgung &amp;starten</translation>
+    </message>
+    <message>
+        <source>Follows the template again</source>
+        <translation>Folgt der Vorlage wieder</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Stops tracking and halts the head; the template is kept</source>
+        <translation>Beendet die Verfolgung und hält den Kopf an; die Vorlage bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Update template</source>
+        <translation>Vorlage &amp;erneuern</translation>
+    </message>
+    <message>
+        <source>Takes what is seen now as the new template</source>
+        <translation>Nimmt das jetzt Gesehene als neue Vorlage</translation>
+    </message>
+    <message>
+        <source>&amp;Clear template</source>
+        <translation>Vorlage &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Forgets the target</source>
+        <translation>Vergisst das Ziel</translation>
+    </message>
+    <message>
+        <source>&amp;Steer</source>
+        <translation>&amp;Nachführen</translation>
+    </message>
+    <message>
+        <source>Steers the head to the target; off: it is moved by hand</source>
+        <translation>Führt den Kopf dem Ziel nach; aus: er wird von Hand bewegt</translation>
+    </message>
+    <message>
+        <source>&amp;Home</source>
+        <translation>&amp;Grundstellung</translation>
+    </message>
+    <message>
+        <source>Turns the head straight ahead</source>
+        <translation>Dreht den Kopf geradeaus</translation>
+    </message>
+    <message>
+        <source>Hal&amp;t head</source>
+        <translation>Kopf &amp;anhalten</translation>
+    </message>
+    <message>
+        <source>Stops the head at once, from anywhere in the program</source>
+        <translation>Hält den Kopf sofort an, von überall im Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Stretch map contrast</source>
+        <translation>&amp;Kontrast der Karte spreizen</translation>
+    </message>
+    <message>
+        <source>Spreads the map&apos;s colours over the values it holds</source>
+        <translation>Spreizt die Farben der Karte über die vorhandenen Werte</translation>
+    </message>
+    <message>
+        <source>&amp;Restore default layout</source>
+        <translation>&amp;Standardanordnung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Puts all parts of the window back in their places</source>
+        <translation>Setzt alle Teile des Fensters an ihren Platz zurück</translation>
+    </message>
+    <message>
+        <source>&amp;About Kambara</source>
+        <translation>Ü&amp;ber Kambara</translation>
+    </message>
+    <message>
+        <source>Versions and licences</source>
+        <translation>Versionen und Lizenzen</translation>
+    </message>
+    <message>
+        <source>Open a source first.</source>
+        <translation>Öffnen Sie erst eine Quelle.</translation>
+    </message>
+    <message>
+        <source>There is no pan-tilt head.</source>
+        <translation>Es gibt keinen Schwenkkopf.</translation>
+    </message>
+    <message>
+        <source>The recording is over: go back first.</source>
+        <translation>Die Aufnahme ist zu Ende: gehen Sie erst zurück.</translation>
+    </message>
+    <message>
+        <source>Only a recording can be held.</source>
+        <translation>Nur eine Aufnahme kann angehalten werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Only a recording can be stepped.</source>
+        <translation>Nur eine Aufnahme hat Einzelschritte.</translation>
+    </message>
+    <message>
+        <source>Pause the recording first.</source>
+        <translation>Halten Sie die Aufnahme erst an.</translation>
+    </message>
+    <message>
+        <source>The target is followed already.</source>
+        <translation>Das Ziel wird schon verfolgt.</translation>
+    </message>
+    <message>
+        <source>Choose a target first.</source>
+        <translation>Wählen Sie erst ein Ziel.</translation>
+    </message>
+    <message>
+        <source>The target must be in sight.</source>
+        <translation>Das Ziel muss zu sehen sein.</translation>
+    </message>
+    <message>
+        <source>There is no template.</source>
+        <translation>Es gibt keine Vorlage.</translation>
+    </message>
+</context>
 </TS>
