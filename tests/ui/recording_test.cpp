@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <QDialogButtonBox>
 #include <QDropEvent>
@@ -13,40 +12,20 @@
 #include <QtTest>
 #include <filesystem>
 
-#include "core/camera/rig_file.h"
-#include "hardware/media/picture_file.h"
+#include "tests/ui/recorded_rig.h"
 #include "tests/ui/window_page.h"
 
 namespace kambara {
 namespace {
 
-namespace fs = std::filesystem;
+using testing_support::RecordedRig;
 using testing_support::WindowPage;
 
 constexpr int frames = 12;
 
 class RecordingInTheWindow : public testing::Test {
   protected:
-    // A short recording of the simulated rig.
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / ("kambara_recording_" + std::to_string(getpid()));
-        const SimulatedWorld world(*simulated_profile("default"));
-        for (int i = 0; i < frames; ++i) {
-            const std::string name = std::to_string(100 + i) + ".png";
-            fs::create_directories(folder_ / "left");
-            fs::create_directories(folder_ / "right");
-            ASSERT_TRUE(
-                write_picture(folder_ / "left" / name, world.picture(FixedCamera::left, i)));
-            ASSERT_TRUE(
-                write_picture(folder_ / "right" / name, world.picture(FixedCamera::right, i)));
-        }
-        ASSERT_TRUE(write_rig_file(folder_ / "rig.yaml", world.rig()));
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    ui::SourceRequest request() const {
-        return {folder_ / "left/*.png", folder_ / "right/*.png", folder_ / "rig.yaml", 10.0};
-    }
+    const ui::SourceRequest& request() const { return recorded_.request(); }
     ui::WindowOptions opened() const {
         ui::WindowOptions options = WindowPage::simulated(false);
         options.first = request();
@@ -56,11 +35,13 @@ class RecordingInTheWindow : public testing::Test {
         return page.until([&] { return page.left().shown() && page.shown().frame == frame; });
     }
 
-    fs::path folder_;
+    const RecordedRig recorded_ =
+        RecordedRig::as_pictures(*simulated_profile("default?rate=10"), frames, frames);
+    const std::filesystem::path& folder_ = recorded_.folder();
 };
 
 TEST_F(RecordingInTheWindow, IsOpenedByTheDialogSteppedPlayedAndWound) {
-    WindowPage page(WindowPage::simulated(false));
+    WindowPage page(WindowPage::simulated(false), "default?rate=10");
     ASSERT_TRUE(page.until_picture());
     page.key(Qt::Key_O, Qt::ControlModifier);
     auto* dialog = page.open_dialog();

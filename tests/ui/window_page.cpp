@@ -10,8 +10,8 @@
 
 namespace kambara::testing_support {
 
-WindowPage::WindowPage(const ui::WindowOptions& options)
-    : world_(std::make_unique<SimulatedWorld>(*simulated_profile("default"))),
+WindowPage::WindowPage(const ui::WindowOptions& options, const std::string& profile)
+    : world_(std::make_unique<SimulatedWorld>(*simulated_profile(profile))),
       window_(std::make_unique<ui::MainWindow>(system_opener(clock_), options)) {
     window_->show();
     if (!QTest::qWaitForWindowExposed(window_.get())) {

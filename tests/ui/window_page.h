@@ -22,7 +22,8 @@ namespace kambara::testing_support {
 /// The window as an operator has it before them: what can be seen, clicked and typed.
 class WindowPage {
   public:
-    explicit WindowPage(const ui::WindowOptions& options);
+    /// `profile`: of the simulated rig whose target the page knows.
+    explicit WindowPage(const ui::WindowOptions& options, const std::string& profile = "default");
     /// On the simulated rig, live.
     static ui::WindowOptions simulated(bool with_gl = true);
 

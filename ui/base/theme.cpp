@@ -52,6 +52,10 @@ void apply_theme(QApplication& application) {
                        "QToolButton:hover { border-color: %4 }"
                        "QToolButton:pressed { background: %1 }"
                        "QToolButton:checked { background: %4; color: black }"
+                       "QToolBar { spacing: 3px; border: none }"
+                       // Fusion's arrow is dark on dark.
+                       "QToolButton#qt_toolbar_ext_button { padding: 3px 1px; min-width: 14px;"
+                       " background: %3 }"
                        "QToolButton:disabled { color: #7d8590 }"
                        "QToolTip { background: %2; color: %3; border: 1px solid %1 }")
             .arg(theme::line.name(), theme::panel.name(), theme::text.name(),

@@ -85,20 +85,27 @@ void PlotsPanel::add_strip(const QString& name, const QString& unit, int decimal
     plot->graph(0)->setAntialiased(false);
     dress(*plot->xAxis);
     dress(*plot->yAxis);
-    plot->yAxis->setLabel(QStringLiteral("%1 (%2)").arg(name, unit));
     plot->xAxis->setNumberFormat(QStringLiteral("f"));
     plot->xAxis->setNumberPrecision(0);
     plot->yAxis->setNumberFormat(QStringLiteral("f"));
     plot->yAxis->setNumberPrecision(0);
     plot->yAxis->ticker()->setTickCount(3);
-    plot->xAxis->ticker()->setTickCount(4);
-    plot->axisRect()->setMinimumMargins(QMargins(44, 4, 6, 4));
+    auto twenties = QSharedPointer<QCPAxisTickerFixed>::create();
+    twenties->setTickStep(20.0);
+    plot->xAxis->setTicker(twenties);
+    plot->axisRect()->setMinimumMargins(QMargins(44, 0, 6, 4));
     QFont small = font();
     small.setPointSizeF(0.85 * small.pointSizeF());
     for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) {
         axis->setTickLabelFont(small);
         axis->setLabelFont(small);
     }
+    // Above the plot: beside a low one there is no room for long names.
+    auto* title = new QCPTextElement(plot, QStringLiteral("%1 (%2)").arg(name, unit), small);
+    title->setTextColor(theme::text);
+    plot->plotLayout()->insertRow(0);
+    plot->plotLayout()->addElement(0, 0, title);
+    plot->plotLayout()->setRowSpacing(0);
     connect(plot, &QCustomPlot::mouseMove, this, [this, plot](QMouseEvent* event) {
         read_off(plot->xAxis->pixelToCoord(event->pos().x()));
     });

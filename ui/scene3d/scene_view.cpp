@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene3d/scene_view.h"
 
-#include <QCheckBox>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMessageBox>
-#include <QToolButton>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "ui/base/theme.h"
@@ -50,31 +48,34 @@ SceneView::SceneView(bool with_gl, QWidget* parent) : QWidget(parent) {
 SceneView::~SceneView() = default;
 
 void SceneView::build_controls() {
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(4, 0, 4, 2);
-    const auto button = [&](const QString& text, const QString& help, auto&& act) {
-        auto* b = new QToolButton(this);
-        b->setText(text);
-        b->setToolTip(help);
-        connect(b, &QToolButton::clicked, this, act);
-        row->addWidget(b);
+    // A tool bar hides what has no room behind its arrow; a row of buttons would widen the window.
+    auto* bar = new QToolBar(this);
+    const auto button = [&](const QString& text, const QString& help) {
+        QAction* action = bar->addAction(text);
+        action->setToolTip(help);
+        return action;
     };
-    button(tr("Behind"), tr("Look along with the cameras"),
-           [this] { look_from(ScenePreset::behind); });
-    button(tr("Above"), tr("Look down on the rig"), [this] { look_from(ScenePreset::above); });
-    button(tr("Side"), tr("Look from the right"), [this] { look_from(ScenePreset::side); });
-    auto* follow = new QCheckBox(tr("Follow"), this);
-    follow->setToolTip(tr("Keeps the target in the middle"));
-    connect(follow, &QCheckBox::toggled, this, [this](bool on) {
+    const auto on_click = [this](QAction* action, auto&& act) {
+        connect(action, &QAction::triggered, this, act);
+    };
+    on_click(button(tr("Behind"), tr("Look along with the cameras")),
+             [this] { look_from(ScenePreset::behind); });
+    on_click(button(tr("Above"), tr("Look down on the rig")),
+             [this] { look_from(ScenePreset::above); });
+    on_click(button(tr("Side"), tr("Look from the right")),
+             [this] { look_from(ScenePreset::side); });
+    bar->addSeparator();
+    QAction* follow = button(tr("Follow"), tr("Keeps the target in the middle"));
+    follow->setCheckable(true);
+    connect(follow, &QAction::toggled, this, [this](bool on) {
         scene_->follow(on);
         changed_ = true;
     });
-    row->addWidget(follow);
-    row->addStretch();
-    button(tr("Clear trail"), tr("Forgets where the target was"), [this] { clear_trail(); });
-    button(tr("Save picture\u2026"), tr("Writes the 3-D view as a PNG file"),
-           [this] { ask_for_png(); });
-    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    on_click(button(tr("Clear trail"), tr("Forgets where the target was")),
+             [this] { clear_trail(); });
+    on_click(button(tr("Save picture\u2026"), tr("Writes the 3-D view as a PNG file")),
+             [this] { ask_for_png(); });
+    layout()->addWidget(bar);
 }
 
 void SceneView::set_rig(const Rig& rig) {

@@ -302,6 +302,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::restore_layout() {
+    give_default_size(*this);
     lay_out();
     if (options_.keep_layout) {
         load_layout(*this);

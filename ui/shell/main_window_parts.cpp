@@ -111,6 +111,8 @@ void MainWindow::lay_out() {
         tabifyDockWidget(scene, plots);
         tabifyDockWidget(plots, events);
         map->raise();
+        resizeDocks({track}, {300}, Qt::Horizontal);
+        resizeDocks({map}, {220}, Qt::Vertical);
     } else {
         splitDockWidget(track, picture, Qt::Vertical);
         splitDockWidget(picture, head, Qt::Vertical);

@@ -70,8 +70,11 @@ void SystemLink::open(const SourceRequest& request) {
         events_.reset();
         system_ = std::move(*system);
         newest_.try_take();
-        on_window([this, request, rig = system_->rig()] { emit opened(request, rig); });
-        watch();
+        // Nothing of the new system comes before the window knows of it.
+        on_window([this, request, rig = system_->rig()] {
+            emit opened(request, rig);
+            enqueue([this] { watch(); });
+        });
     });
 }
 
@@ -84,15 +87,21 @@ void SystemLink::watch() {
             }
         });
     });
-    const auto put = [this](const SnapshotPtr& snapshot) {
-        newest_.put(snapshot);
-        // One call is enough for however many snapshots come before the window sees to it.
-        if (!fetch_pending_.exchange(true)) {
-            on_window([this] { fetch(); });
-        }
-    };
-    snapshots_ = system_->observe(put);
+    snapshots_ = system_->observe([this](const SnapshotPtr& snapshot) {
+        std::lock_guard lock(order_);
+        put(snapshot);
+    });
+    // What came before anybody watched. The lock keeps it from taking a newer one's place.
+    std::lock_guard lock(order_);
     put(system_->latest());
+}
+
+void SystemLink::put(const SnapshotPtr& snapshot) {
+    newest_.put(snapshot);
+    // One call is enough for however many snapshots come before the window sees to it.
+    if (!fetch_pending_.exchange(true)) {
+        on_window([this] { fetch(); });
+    }
 }
 
 void SystemLink::fetch() {

@@ -62,11 +62,13 @@ class SystemLink : public QObject {
     void run(std::stop_token stop);
     void on_window(std::function<void()> work);
     void watch();
+    void put(const SnapshotPtr& snapshot);
     void fetch();
     void finished();
 
     const SystemOpener opener_;
     LatestValue<SnapshotPtr> newest_;
+    std::mutex order_;  // of what is put into it
     std::atomic<bool> fetch_pending_ = false;
     std::atomic<int> generation_ = 0;
     int under_way_ = 0;  // the window's thread alone

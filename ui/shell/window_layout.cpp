@@ -49,14 +49,17 @@ void save_layout(const QMainWindow& window) {
     settings.setValue(docks_key, window.saveState(version));
 }
 
+void give_default_size(QMainWindow& window) {
+    const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+    const QSize size = QSize(1600, 950).boundedTo(screen.size());
+    window.setGeometry(QRect(screen.center() - QPoint(size.width() / 2, size.height() / 2), size));
+}
+
 void load_layout(QMainWindow& window) {
     QSettings settings;
     const QByteArray geometry = settings.value(geometry_key).toByteArray();
-    if (geometry.isEmpty() || !window.restoreGeometry(geometry)) {
-        const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
-        const QSize size = QSize(1600, 950).boundedTo(screen.size());
-        window.setGeometry(
-            QRect(screen.center() - QPoint(size.width() / 2, size.height() / 2), size));
+    if (!geometry.isEmpty()) {
+        window.restoreGeometry(geometry);
     }
     window.restoreState(settings.value(docks_key).toByteArray(), version);
     if (!window.isMaximized() && !window.isFullScreen()) {

@@ -10,8 +10,9 @@ namespace kambara::ui {
 
 /// Keeps a window's place, size and docks in the settings.
 void save_layout(const QMainWindow& window);
-/// Puts them back, moved onto a screen that is there. Without settings the window gets a size that
-/// suits its screen.
+/// A size that suits the screen, in its middle.
+void give_default_size(QMainWindow& window);
+/// Puts what was kept back, moved onto a screen that is there.
 void load_layout(QMainWindow& window);
 
 /// The window's frame moved and shrunk so that it lies wholly on the screen it overlaps most (the
