@@ -52,7 +52,7 @@ void apply_theme(QApplication& application) {
                        "QToolButton:hover { border-color: %4 }"
                        "QToolButton:pressed { background: %1 }"
                        "QToolButton:checked { background: %4; color: black }"
-                       "QToolBar { spacing: 3px; border: none }"
+                       "QToolBar { spacing: 3px; padding: 2px 4px; border: none }"
                        // Fusion's arrow is dark on dark.
                        "QToolButton#qt_toolbar_ext_button { padding: 3px 1px; min-width: 14px;"
                        " background: %3 }"
