@@ -40,6 +40,10 @@
         <translation>im rechten Bild sieht eine andere Stelle gleich aus</translation>
     </message>
     <message>
+        <source>its distance would have leapt from %1 to %2 m</source>
+        <translation>seine Entfernung wäre von %1 auf %2 m gesprungen</translation>
+    </message>
+    <message>
         <source>%1 -&gt; %2: %3</source>
         <translation>%1 -&gt; %2: %3</translation>
     </message>

@@ -95,6 +95,7 @@ void StereoTracker::clear() {
     first_.reset();
     latest_.reset();
     last_measured_.reset();
+    sure_place_in_rig_mm_.reset();
     last_frame_.reset();
     predictor_.reset();
     range_known_ = false;
@@ -158,17 +159,16 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     return estimate_;
 }
 
-// Where the target is thought to be; once it is lost, a place in sight, since a target that has
-// left the picture comes back somewhere inside.
+// Where the target is thought to be. Once it is lost, a place in sight and at the distance it was last
+// tracked at, since a target that has left the picture comes back somewhere inside, and a motion towards
+// or from the camera that goes on and on would soon make it too large or too small to be seen.
 Eigen::Vector3d StereoTracker::expected_place(std::int64_t time_ns) const {
     const Eigen::Vector3d expected = predictor_.at(time_ns).value_or(first_->point_in_rig_mm);
-    const auto pixel = rig_.left.project(expected);
-    const bool in_sight = pixel && rig_.left.sees(*pixel);
-    if (in_sight || (estimate_.state != TrackState::lost && !place_unknown_)) {
+    if (estimate_.state != TrackState::lost && !place_unknown_) {
         return expected;
     }
-    const Eigen::Vector3d last =
-        last_measured_ ? last_measured_->point_in_rig_mm : first_->point_in_rig_mm;
+    const auto pixel = rig_.left.project(expected);
+    const Eigen::Vector3d last = sure_place_in_rig_mm_.value_or(first_->point_in_rig_mm);
     const Eigen::Vector2d middle(0.5 * (rig_.left.width_px - 1), 0.5 * (rig_.left.height_px - 1));
     const Eigen::Vector2d half = 0.5 * first_->size_px.cast<double>();
     const Eigen::Vector2d nearest =
@@ -185,6 +185,10 @@ std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame
     auto detail = std::make_shared<SearchDetail>();
     auto by_first = search_target(rig_, options_, *first_, frame, scope, detail.get());
     estimate_.search = std::move(detail);
+    first_seen_px_.reset();
+    if (by_first && by_first->left.quality >= options_.lost_quality) {
+        first_seen_px_ = by_first->left.pixel;
+    }
     if (!latest_ || (by_first && by_first->quality >= options_.update_quality)) {
         return by_first;
     }
@@ -235,6 +239,7 @@ void StereoTracker::judge(const TargetMeasurement& measured) {
         become(TrackState::doubtful, "the match is only " + percent(measured.quality) + " alike");
     } else {
         become(TrackState::tracking, "");
+        sure_place_in_rig_mm_ = measured.point_in_rig_mm;
     }
     if (estimate_.state == TrackState::doubtful && frames_in_state_ >= options_.doubtful_frames) {
         become(TrackState::lost, "doubtful for too long: " + estimate_.reason);
@@ -243,7 +248,10 @@ void StereoTracker::judge(const TargetMeasurement& measured) {
 }
 
 void StereoTracker::refresh_template(const TargetMeasurement& measured, const StereoFrame& frame) {
-    const bool safe = estimate_.state == TrackState::tracking && range_known_;
+    // However badly the first template fits, it must still say that this is the place.
+    const bool agreed = first_seen_px_ && (*first_seen_px_ - measured.left.pixel).norm() <
+                                              options_.update_agreement_px;
+    const bool safe = estimate_.state == TrackState::tracking && range_known_ && agreed;
     if (options_.automatic_update && safe && measured.quality < options_.update_quality &&
         frames_since_update_ >= options_.update_interval_frames) {
         frames_since_update_ = 0;

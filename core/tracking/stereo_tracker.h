@@ -99,6 +99,8 @@ class StereoTracker {
     int frames_since_update_ = 0;
     std::optional<StereoFrame> last_frame_;
     std::optional<TargetMeasurement> last_measured_;
+    std::optional<Eigen::Vector3d> sure_place_in_rig_mm_;  // when it was last Tracking
+    std::optional<Eigen::Vector2d> first_seen_px_;  // by the first template, in the last pair
     Predictor predictor_;
 };
 

@@ -2,9 +2,18 @@
 #include "core/tracking/target_search.h"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <string>
 
 namespace kambara {
 namespace {
+
+std::string metres(double length_mm) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << length_mm * 1e-3;
+    return text.str();
+}
 
 std::optional<PatchMatch> find_left(const Rig& rig, const TrackerOptions& options,
                                     const ReferencePatch& patch, const Image& grey,
@@ -80,6 +89,21 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
     return !best || (anywhere && anywhere->quality > best->quality) ? anywhere : best;
 }
 
+// A target that is followed does not change its distance at a stroke: another place in the right
+// picture was taken for it.
+std::optional<std::string> leapt(const Rig& rig, const TrackerOptions& options,
+                                 const SearchScope& scope, const Position& position) {
+    const double range_mm = position.point_in_left_mm.norm();
+    const double expected_mm =
+        (scope.expected_in_rig_mm - rig.left.T_camera_from_rig.centre_mm()).norm();
+    const double ratio = range_mm / expected_mm;
+    if (!scope.range_known || scope.lost || std::max(ratio, 1.0 / ratio) <= options.farthest_leap) {
+        return std::nullopt;
+    }
+    return "its distance would have leapt from " + metres(expected_mm) + " to " + metres(range_mm) +
+           " m";
+}
+
 }  // namespace
 
 TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
@@ -118,6 +142,10 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
                            {result.right->pixel, result.right->covariance_px2}, options.position);
     if (!position) {
         result.fault = "no position: " + position.error().cause;
+        return result;
+    }
+    if (const auto leap = leapt(rig, options, scope, *position)) {
+        result.fault = *leap;
         return result;
     }
     result.position = *position;

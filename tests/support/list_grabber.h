@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -30,7 +31,13 @@ class ListGrabber final : public GrabberBase {
         return std::optional<Frame>();
     }
     GrabberInfo info() const override { return info_; }
+    /// From now on it can't be wound to frames from `index` on.
+    void refuse_seeks_from(std::int64_t index) { refuses_from_ = index; }
+
     Result<Done> seek(std::int64_t index) override {
+        if (index >= refuses_from_) {
+            return Error{"The tape is torn.", "Mend it."};
+        }
         next_ = static_cast<std::size_t>(index);
         return Done{};
     }
@@ -40,6 +47,7 @@ class ListGrabber final : public GrabberBase {
     GrabberInfo info_;
     std::optional<Error> failure_;
     std::size_t next_ = 0;
+    std::int64_t refuses_from_ = std::numeric_limits<std::int64_t>::max();
 };
 
 }  // namespace kambara::testing_support

@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSettings>
 #include <QSlider>
 #include <QUrl>
 #include <QtTest>
@@ -85,6 +86,7 @@ TEST_F(RecordingInTheWindow, IsOpenedByTheDialogSteppedPlayedAndWound) {
 }
 
 TEST_F(RecordingInTheWindow, IsRememberedAmongTheRecentOnes) {
+    QSettings().clear();  // earlier tests of the same process opened theirs
     {
         WindowPage page(opened());
         ASSERT_TRUE(until_frame(page, 0));

@@ -128,6 +128,20 @@ TEST(Steering, KeepsTheIntervalBetweenCommands) {
     EXPECT_FALSE(steering.command_for({0.5, 0.0}, last, start_ns + 199'000'000));
 }
 
+TEST(Steering, ARecordingThatWasWoundBackDoesNotSilenceIt) {
+    Steering steering({.min_interval_s = 0.1}, HeadLimits{});
+    ASSERT_TRUE(steering.command_for({0.1, 0.0}, std::nullopt, 60'000'000'000));
+    EXPECT_TRUE(steering.command_for({0.3, 0.0}, HeadAngles{0.1, 0.0}, 2'000'000'000));
+}
+
+TEST(Steering, WithoutATargetNothingIsBeyondReach) {
+    Steering steering({}, HeadLimits{});
+    ASSERT_TRUE(steering.command_for({3.0, 0.0}, std::nullopt));
+    ASSERT_TRUE(steering.at_limit());
+    steering.nothing_wanted();
+    EXPECT_FALSE(steering.at_limit());
+}
+
 TEST(Steering, DoesNotFollowWhatIsNoNumber) {
     Steering steering({}, HeadLimits{});
     const double nothing = std::numeric_limits<double>::quiet_NaN();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -120,6 +121,84 @@ TEST_F(StereoTrackerTest, FindsTheTargetAgainAnywhereInThePicture) {
     const Eigen::Vector3d truth =
         truth_at(0) + rig_.left.T_camera_from_rig.R * Eigen::Vector3d(300.0, 90.0, 0.0);
     EXPECT_LT((estimate.position->point_in_left_mm - truth).norm(), 1e-3 * truth.norm());
+}
+
+// It leaves at the left edge; its predicted place runs on and on, far from where it comes back.
+TEST_F(StereoTrackerTest, FindsATargetThatLeftThePictureAndCameBack) {
+    const auto beside = [this](double x_mm, int index) {
+        TexturedPlane plane{{x_mm, 0.0, 1500.0}};
+        return drawn_pair(plane, rig_, index);
+    };
+    ASSERT_TRUE(tracker_.set_template(beside(0.0, 0), rectangle));
+    ASSERT_TRUE(tracker_.start());
+    double x_mm = 0.0;
+    int index = 0;
+    TrackEstimate estimate = tracker_.process(beside(0.0, index));
+    while (estimate.state != TrackState::lost && index < 90) {
+        x_mm = std::max(x_mm - 60.0, -1500.0);
+        estimate = tracker_.process(beside(x_mm, ++index));
+    }
+    ASSERT_EQ(estimate.state, TrackState::lost);
+    ASSERT_LT(x_mm, -300.0);  // it was followed to the edge
+    for (int i = 0; i < 6; ++i) {
+        estimate = tracker_.process(beside(-1500.0, ++index));
+        EXPECT_EQ(estimate.state, TrackState::lost) << i;
+    }
+    for (int i = 0; i < 8 && estimate.state != TrackState::tracking; ++i) {
+        estimate = tracker_.process(beside(-100.0, ++index));
+    }
+    ASSERT_EQ(estimate.state, TrackState::tracking) << estimate.reason;
+    const Eigen::Vector3d truth =
+        truth_at(0) + rig_.left.T_camera_from_rig.R * Eigen::Vector3d(-100.0, 0.0, 0.0);
+    EXPECT_LT((estimate.position->point_in_left_mm - truth).norm(), 1e-3 * truth.norm());
+}
+
+TEST_F(StereoTrackerTest, LooksEverywhereOnceItsMotionIsForgotten) {
+    ASSERT_TRUE(tracker_.set_template(pair_at(0), rectangle));
+    TexturedPlane far{{300.0, 90.0, 1500.0}};
+    tracker_.forget_motion();
+    ASSERT_TRUE(tracker_.start());
+    const TrackEstimate estimate = tracker_.process(drawn_pair(far, rig_, 9));
+    EXPECT_EQ(estimate.state, TrackState::tracking) << estimate.reason;
+}
+
+TEST_F(StereoTrackerTest, NeverShowsAPlaceThatWasMeasuredInAnotherPair) {
+    ASSERT_TRUE(tracker_.set_template(pair_at(0), rectangle));
+    EXPECT_FALSE(tracker_.update_template());  // it is not being followed
+    EXPECT_TRUE(tracker_.process(pair_at(0)).position);
+    const TrackEstimate waiting = tracker_.process(pair_at(1));
+    EXPECT_EQ(waiting.state, TrackState::template_set);
+    EXPECT_FALSE(waiting.position || waiting.left_px || waiting.right_px || waiting.search);
+    ASSERT_TRUE(tracker_.start());
+    ASSERT_TRUE(tracker_.process(pair_at(2)).position);
+    tracker_.stop();
+    EXPECT_FALSE(tracker_.estimate().position);
+    EXPECT_FALSE(tracker_.estimate().left_px);
+    EXPECT_EQ(tracker_.estimate().template_size_px, Eigen::Vector2i(31, 31));
+}
+
+// Chosen where the right camera saw nothing, the template's distance is but assumed: half the
+// true one's here. The first real position must not look like a leap to be predicted on.
+TEST_F(StereoTrackerTest, TheFirstPositionAfterAnAssumedRangeIsNoMotion) {
+    TrackerOptions options;
+    options.assumed_range_mm = 700.0;
+    StereoTracker tracker(rig_, options);
+    StereoFrame half = pair_at(0);
+    half.right = blank(half.right);
+    ASSERT_TRUE(tracker.set_template(half, rectangle));
+    EXPECT_FALSE(tracker.estimate().position);
+    ASSERT_TRUE(tracker.start());
+    int tracked = 0;
+    for (int i = 1; i < 6; ++i) {
+        const TrackEstimate estimate = tracker.process(pair_at(i));
+        ASSERT_NE(estimate.state, TrackState::lost) << i << ": " << estimate.reason;
+        if (estimate.position) {
+            ++tracked;
+            const Eigen::Vector3d truth = truth_at(i);
+            EXPECT_LT((estimate.position->point_in_left_mm - truth).norm(), 2e-3 * truth.norm());
+        }
+    }
+    EXPECT_GE(tracked, 4);
 }
 
 TEST_F(StereoTrackerTest, GivesUpWhatStaysLost) {

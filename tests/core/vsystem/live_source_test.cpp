@@ -107,6 +107,28 @@ TEST_F(LiveSourceTest, NeverDeliversAnInvalidFrame) {
     EXPECT_EQ(std::get<ImageSet>(*next).stereo.left.time_ns, 1'033'000'000);
 }
 
+// When more pairs wait than were asked for, the newest is the one that matters.
+TEST_F(LiveSourceTest, GivesTheNewestPairAndCountsThoseItPassedOver) {
+    for (int i = 0; i < 3; ++i) {
+        left_->put(1'000'000'000 + 33'000'000 * i);
+    }
+    for (int i = 0; i < 3; ++i) {
+        right_->put(1'001'000'000 + 33'000'000 * i);
+    }
+    std::int64_t newest_ns = 0;
+    int taken = 0;
+    while (newest_ns < 1'066'000'000) {
+        const auto next = wait();
+        ASSERT_TRUE(next);
+        const auto& set = std::get<ImageSet>(*next);
+        EXPECT_EQ(set.stereo.right.time_ns - set.stereo.left.time_ns, 1'000'000);
+        EXPECT_GT(set.stereo.left.time_ns, newest_ns);
+        newest_ns = set.stereo.left.time_ns;
+        ++taken;
+    }
+    EXPECT_EQ(source_->frames_lost(), static_cast<std::uint64_t>(3 - taken));
+}
+
 TEST_F(LiveSourceTest, SaysThatNothingHasComeInsteadOfWaitingForever) {
     const auto next = source_->next({});
     ASSERT_TRUE(next);

@@ -63,5 +63,23 @@ TEST(ObserverList, LettingGoWaitsForACallThatIsUnderWay) {
     EXPECT_TRUE(left);
 }
 
+// An observer that notifies in turn, and lets go of itself in the inner call.
+TEST(ObserverList, AnObserverMayEndItselfWithinACallOfItsOwn) {
+    ObserverList<int> list;
+    int calls = 0;
+    std::unique_ptr<Observation> self;
+    self = list.add([&](int depth) {
+        ++calls;
+        if (depth == 0) {
+            list.notify(1);
+        } else {
+            self.reset();
+        }
+    });
+    list.notify(0);
+    list.notify(0);
+    EXPECT_EQ(calls, 2);
+}
+
 }  // namespace
 }  // namespace kambara

@@ -32,6 +32,9 @@ class InstantHead final : public PanTiltCamera {
     std::string name() const override { return "instant"; }
     HeadLimits limits() const override { return {}; }
     Result<Done> move_to(const HeadAngles& angles) override {
+        if (refusals-- > 0) {
+            return Error{"The head does not answer.", "Look at its cable."};
+        }
         std::lock_guard lock(mutex_);
         angles_ = angles;
         ++moves_;
@@ -51,6 +54,7 @@ class InstantHead final : public PanTiltCamera {
     }
 
     std::atomic<int> halts = 0;
+    std::atomic<int> refusals = 0;  // of the next moves
 
   private:
     mutable std::mutex mutex_;
@@ -87,7 +91,9 @@ class VisionSystemTest : public testing::Test {
         head_ = std::make_shared<InstantHead>();
         VisionSystemParts parts{nominal_rig(), {}, head_};
         parts.grabbers.left = std::make_unique<ListGrabber>(lefts, 640, 480, failure);
-        parts.grabbers.right = std::make_unique<ListGrabber>(rights, 640, 480, failure);
+        auto of_right = std::make_unique<ListGrabber>(rights, 640, 480, failure);
+        right_ = of_right.get();
+        parts.grabbers.right = std::move(of_right);
         VisionSystemOptions options;
         options.every_frame = true;
         options.start_paused = paused;
@@ -124,6 +130,7 @@ class VisionSystemTest : public testing::Test {
 
     SteadyClock clock_;
     std::shared_ptr<InstantHead> head_;
+    ListGrabber* right_ = nullptr;  // the system's
 };
 
 TEST_F(VisionSystemTest, HoldsTheFirstPairUntilToldToRun) {
@@ -245,6 +252,80 @@ TEST_F(VisionSystemTest, WindsARecordingAndGoesOnAfterItsEnd) {
     EXPECT_EQ(system->latest()->frame, 2);
     ASSERT_TRUE(system->execute(Flow{Flow::Kind::step}));
     EXPECT_EQ(wait_for(*system, [](const Snapshot& s) { return s.frame == 3; })->frame, 3);
+}
+
+TEST_F(VisionSystemTest, RefusesToStartWhileNoPictureIsRemembered) {
+    auto system = *open(5, 5);
+    run_out(*system);
+    ASSERT_TRUE(system->execute(SelectTemplate{rectangle, 1}));
+    std::optional<Result<Reply>> started;
+    const auto heard = system->observe_events([&](const Event& event) {
+        if (event.text == "Tracking -> TemplateSet") {
+            started = system->execute(StartTracking{});  // wound, and nothing taken since
+        }
+    });
+    ASSERT_TRUE(system->execute(StartTracking{}));
+    ASSERT_TRUE(system->execute(Seek{1}));
+    wait_for(*system, [](const Snapshot& s) { return s.frame == 1; });
+    ASSERT_TRUE(started);
+    ASSERT_FALSE(*started);
+    EXPECT_NE(started->error().cause.find("no picture"), std::string::npos);
+}
+
+TEST_F(VisionSystemTest, AFailedSeekLeavesBothCamerasWhereTheyWere) {
+    auto system = *open(5, 5);
+    ASSERT_TRUE(system->execute(Flow{Flow::Kind::step}));
+    wait_for(*system, [](const Snapshot& s) { return s.frame == 1; });
+    right_->refuse_seeks_from(4);  // the left one is wound first, and goes there
+    const auto refused = system->execute(Seek{4});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().cause, "The tape is torn.");
+    ASSERT_TRUE(system->execute(Flow{Flow::Kind::step}));
+    const SnapshotPtr next = wait_for(*system, [](const Snapshot& s) { return s.frame > 1; });
+    EXPECT_EQ(next->pictures.stereo.left.index, 2);
+    EXPECT_EQ(next->pictures.stereo.right.index, 2);
+}
+
+TEST_F(VisionSystemTest, ARecordingWhoseCamerasWerePartedIsOver) {
+    auto system = *open(5, 5);
+    right_->refuse_seeks_from(0);
+    ASSERT_FALSE(system->execute(Seek{3}));
+    ASSERT_TRUE(system->execute(Flow{Flow::Kind::step}));
+    const SnapshotPtr last =
+        wait_for(*system, [](const Snapshot& s) { return s.run == RunState::failed; });
+    EXPECT_EQ(last->failure->cause, "The tape is torn.");
+    EXPECT_EQ(last->frame, 0);
+}
+
+TEST_F(VisionSystemTest, AMoveThatTheHeadRefusedIsCommandedAgain) {
+    auto system = *open(5, 5);
+    head_->refusals = 1;
+    ASSERT_TRUE(system->execute(SelectTemplate{rectangle, std::nullopt}));
+    ASSERT_TRUE(system->execute(StartTracking{}));
+    EXPECT_EQ(head_->moves(), 0);
+    EXPECT_NE(system->latest()->head->fault.find("does not answer"), std::string::npos);
+    run_out(*system);
+    EXPECT_GT(head_->moves(), 0);
+    EXPECT_TRUE(system->latest()->head->fault.empty()) << system->latest()->head->fault;
+}
+
+TEST_F(VisionSystemTest, ObserversSeeWhatTheyCausedAfterWhatCausedIt) {
+    auto system = *open(5, 5);
+    ASSERT_TRUE(system->execute(SelectTemplate{rectangle, std::nullopt}));
+    ASSERT_TRUE(system->execute(StartTracking{}));
+    std::vector<TrackState> second;
+    const auto first = system->observe([&](const SnapshotPtr& snapshot) {
+        if (snapshot->frame == 2 && snapshot->tracks.at(0).estimate.state == TrackState::tracking) {
+            EXPECT_TRUE(system->execute(StopTracking{}));
+        }
+    });
+    const auto later = system->observe([&](const SnapshotPtr& snapshot) {
+        if (snapshot->frame == 2) {
+            second.push_back(snapshot->tracks.at(0).estimate.state);
+        }
+    });
+    run_out(*system);
+    EXPECT_EQ(second, (std::vector<TrackState>{TrackState::tracking, TrackState::template_set}));
 }
 
 TEST_F(VisionSystemTest, ShowsHowItSearched) {
