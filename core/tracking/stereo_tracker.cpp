@@ -159,9 +159,10 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     return estimate_;
 }
 
-// Where the target is thought to be. Once it is lost, a place in sight and at the distance it was last
-// tracked at, since a target that has left the picture comes back somewhere inside, and a motion towards
-// or from the camera that goes on and on would soon make it too large or too small to be seen.
+// Where the target is thought to be. Once it is lost, a place in sight and at the distance it was
+// last tracked at, since a target that has left the picture comes back somewhere inside, and a
+// motion towards or from the camera that goes on and on would soon make it too large or too small
+// to be seen.
 Eigen::Vector3d StereoTracker::expected_place(std::int64_t time_ns) const {
     const Eigen::Vector3d expected = predictor_.at(time_ns).value_or(first_->point_in_rig_mm);
     if (estimate_.state != TrackState::lost && !place_unknown_) {
