@@ -47,11 +47,19 @@ Outcome run_match(const MatchOptions& options) {
                             " pixels is larger than the picture of " + size_text(*image) + ".",
                         "Give the picture first, then the template."});
     }
+    if (templ->width() > largest_template_px || templ->height() > largest_template_px) {
+        return refused({"The template has " + size_text(*templ) + " pixels: too many to compare.",
+                        "Give one of at most 255 x 255 pixels, or make both pictures smaller."});
+    }
     const ScoreMap map = score_map(*measure, *image, *templ, all_positions(*image, *templ));
     const auto peak = best_peak(map, *measure);
     if (options.map) {
+        std::vector<float> values(map.size());
+        for (std::size_t i = 0; i < map.size(); ++i) {
+            values[i] = static_cast<float>(map.value(i));
+        }
         const auto written =
-            write_float_tiff(*options.map, map.scores, map.positions.width, map.positions.height);
+            write_float_tiff(*options.map, values, map.positions.width, map.positions.height);
         if (!written) {
             return refused(written.error());
         }

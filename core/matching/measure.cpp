@@ -13,7 +13,11 @@ Result<Measure> parse_measure(std::string_view name) {
     if (name == "zncc") {
         return Measure::zncc;
     }
-    return Error{"There is no measure \"" + std::string(name) + "\".", "Choose sad, ncc or zncc."};
+    if (name == "hamming") {
+        return Measure::hamming;
+    }
+    return Error{"There is no measure \"" + std::string(name) + "\".",
+                 "Choose sad, ncc, zncc or hamming."};
 }
 
 std::string to_string(Measure measure) {
@@ -22,6 +26,8 @@ std::string to_string(Measure measure) {
             return "sad";
         case Measure::ncc:
             return "ncc";
+        case Measure::hamming:
+            return "hamming";
         case Measure::zncc:
             break;
     }
@@ -29,7 +35,7 @@ std::string to_string(Measure measure) {
 }
 
 bool better(Measure measure, double score, double than) {
-    return measure == Measure::sad ? score < than : score > than;
+    return is_cost(measure) ? score < than : score > than;
 }
 
 }  // namespace kambara

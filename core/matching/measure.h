@@ -10,13 +10,18 @@ namespace kambara {
 
 /// How alike a template and a piece of a picture are (correspondence: similarity measures).
 enum class Measure {
-    sad,  ///< sum of absolute differences; smallest is best; a map keeps it as a float, exact up to
-          ///< 2^24
-    ncc,  ///< sum(I T) / sqrt(sum(I^2) sum(T^2)), in [0, 1]; largest is best (1999, equation 2)
-    zncc,  ///< the same after each side's mean is removed, in [-1, 1]; 0 over a flat patch
+    sad,      ///< sum of absolute differences; smallest is best
+    ncc,      ///< sum(I T) / sqrt(sum(I^2) sum(T^2)), in [0, 1]; largest is best (1999, equation 2)
+    zncc,     ///< the same after each side's mean is removed, in [-1, 1]; 0 over a flat patch
+    hamming,  ///< number of differing bits of binary transforms; smallest is best
 };
 
-/// Reads `sad`, `ncc` or `zncc`.
+/// A smaller score of these is the better one, and maps hold their exact integers.
+constexpr bool is_cost(Measure measure) {
+    return measure == Measure::sad || measure == Measure::hamming;
+}
+
+/// Reads `sad`, `ncc`, `zncc` or `hamming`.
 Result<Measure> parse_measure(std::string_view name);
 std::string to_string(Measure measure);
 

@@ -14,7 +14,7 @@ constexpr double farthest_vertex = 0.75;  // beyond, the nine scores are no quad
 // The extremum of the quadratic through the nine scores about a whole-pixel peak: differences of
 // second order, with the mixed one, since a template's peak is seldom upright.
 std::optional<std::pair<double, double>> vertex(const ScoreMap& map, int x, int y) {
-    const auto f = [&](int dx, int dy) { return static_cast<double>(map.at(x + dx, y + dy)); };
+    const auto f = [&](int dx, int dy) { return map.at(x + dx, y + dy); };
     const double gx = 0.5 * (f(1, 0) - f(-1, 0));
     const double gy = 0.5 * (f(0, 1) - f(0, -1));
     const double xx = f(1, 0) - 2.0 * f(0, 0) + f(-1, 0);
@@ -40,7 +40,7 @@ std::optional<Peak> best_peak(const ScoreMap& map, Measure measure) {
     Peak peak;
     peak.whole_x = r.x;
     peak.whole_y = r.y;
-    peak.score = map.scores.front();
+    peak.score = map.value(0);
     for (int y = r.y; y < r.y + r.height; ++y) {
         for (int x = r.x; x < r.x + r.width; ++x) {
             if (better(measure, map.at(x, y), peak.score)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/image/image.h"
@@ -14,19 +15,29 @@ namespace kambara {
 /// picture's pixel under the template's top-left pixel; only full overlap counts.
 struct ScoreMap {
     Rectangle positions;        ///< of the template's top-left pixel, in the picture
-    std::vector<float> scores;  ///< positions.height rows of positions.width
+    std::vector<float> scores;  ///< correlations: positions.height rows of positions.width
+    std::vector<std::uint32_t>
+        costs;  ///< likewise for SAD and Hamming, exact; one of them is empty
 
-    float at(int x, int y) const {  ///< by position in the picture
-        return scores[static_cast<std::size_t>(y - positions.y) *
-                          static_cast<std::size_t>(positions.width) +
-                      static_cast<std::size_t>(x - positions.x)];
+    std::size_t size() const { return scores.size() + costs.size(); }
+    bool empty() const { return size() == 0; }
+    double value(std::size_t i) const {
+        return scores.empty() ? static_cast<double>(costs[i]) : static_cast<double>(scores[i]);
     }
-    bool empty() const { return scores.empty(); }
+    std::size_t index(int x, int y) const {  ///< by position in the picture
+        return static_cast<std::size_t>(y - positions.y) *
+                   static_cast<std::size_t>(positions.width) +
+               static_cast<std::size_t>(x - positions.x);
+    }
+    double at(int x, int y) const { return value(index(x, y)); }
 };
 
 /// The score of one position, from integer sums: exact up to the last division. Both pictures have
 /// the same number of channels; the sums run over all of them. Needs full overlap.
 double score_at(Measure measure, const Image& picture, const Image& templ, int x, int y);
+
+/// The largest width and height of a template.
+inline constexpr int largest_template_px = 255;
 
 /// The map over `positions`, clipped to where the template fits wholly inside the picture; empty
 /// where it fits nowhere.

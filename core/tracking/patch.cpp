@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/matching/score_map.h"
+
 namespace kambara {
 namespace {
 
@@ -66,7 +68,8 @@ std::optional<Eigen::Vector2i> half_size_at(const ReferencePatch& patch, const C
         }
     }
     const Eigen::Vector2i whole = (half.array() - 0.49).floor().cast<int>();
-    return whole.cwiseMin(patch.size_px);  // never more than twice as large as it was
+    // Never more than twice as large as it was.
+    return whole.cwiseMin(patch.size_px.cwiseMin((largest_template_px - 1) / 2));
 }
 
 }  // namespace

@@ -48,9 +48,10 @@ void CorrelationMapView::colour() {
         return;
     }
     const ScoreMap& map = search_->map;
-    std::vector<double> likeness(map.scores.size());
-    std::transform(map.scores.begin(), map.scores.end(), likeness.begin(),
-                   [&](float score) { return search_->likeness(score); });
+    std::vector<double> likeness(map.size());
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        likeness[i] = search_->likeness(map.value(i));
+    }
     const auto [least, most] = std::minmax_element(likeness.begin(), likeness.end());
     const auto place = static_cast<int>(most - likeness.begin());
     best_ = {place % map.positions.width, place / map.positions.width};

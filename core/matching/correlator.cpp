@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/matching/correlator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+namespace kambara {
+namespace {
+
+constexpr int strip_rows = 24;  // whole blocks of every kernel; the results stay in the cache
+constexpr double most_in_32_bits = 65793.0;
+
+template <class T>
+void make_room(std::vector<T>& vector, std::size_t size) {
+    if (vector.size() < size) {
+        vector.resize(size);
+    }
+}
+
+// Rounded to whole groups of four bytes, with slack after the last.
+PackedTemplate empty_like(int width, int height, int planes) {
+    PackedTemplate templ;
+    templ.width = width;
+    templ.height = height;
+    templ.planes = planes;
+    templ.padded_width = (width + 3) / 4 * 4;
+    templ.bytes.assign(templ.offset(planes, 0) + kernel_template_slack, 0);
+    templ.centred.assign(templ.bytes.size(), 0);
+    templ.centred16.assign(templ.bytes.size(), 0);
+    return templ;
+}
+
+// The kernels' dot product is with T - 128: sets that factor.
+void set_factor(PackedTemplate& templ, std::size_t i, int factor) {
+    templ.centred[i] = static_cast<std::int8_t>(factor);
+    templ.centred16[i] = static_cast<std::int16_t>(factor);
+}
+
+// Eight neighbours of a row of 0 and 1 in the bits of each byte, the nearest in the lowest.
+void gather_bits(std::uint8_t* row, int count) {
+    for (int reach = 1; reach < 8; reach *= 2) {
+        for (int x = 0; x < count; ++x) {
+            row[x] = static_cast<std::uint8_t>(row[x] | (row[x + reach] << reach));
+        }
+    }
+}
+
+void check_size(const Image& templ, const Image* mask, int step) {
+    if (templ.width() < 1 || templ.height() < 1 || templ.width() > largest_template_px ||
+        templ.height() > largest_template_px || (templ.channels() != 1 && templ.channels() != 3) ||
+        step < 1) {
+        throw std::invalid_argument("a template has 1 x 1 to 255 x 255 pixels of 1 or 3 channels");
+    }
+    if (mask != nullptr && (mask->width() != templ.width() || mask->height() != templ.height() ||
+                            mask->channels() != 1)) {
+        throw std::invalid_argument("a mask is of its template's size, with one channel");
+    }
+}
+
+}  // namespace
+
+Correlator::Correlator(const Kernels& kernels) : kernels_(kernels) {}
+
+void Correlator::set_template(Measure measure, const Image& templ, const Image* mask, int step) {
+    check_size(templ, mask, step);
+    measure_ = measure;
+    step_ = step;
+    channels_ = templ.channels();
+    width_ = (templ.width() + step - 1) / step;
+    height_ = (templ.height() + step - 1) / step;
+    masked_ = mask != nullptr;
+    if (measure == Measure::hamming) {
+        pack_bits(templ, mask);
+    } else {
+        pack_levels(templ, mask);
+    }
+}
+
+void Correlator::pack_bits(const Image& templ, const Image* mask) {
+    const bool single = channels_ == 1;
+    packed_ = {};
+    packed_.width = width_;
+    packed_.height = height_;
+    packed_.planes = channels_;
+    packed_.padded_width = single ? (width_ + 7) / 8 : width_;
+    packed_.column_step = single ? 8 : 1;
+    packed_.bytes.assign(packed_.offset(channels_, 0) + kernel_template_slack, 0);
+    packed_.masks.assign(packed_.bytes.size(), 0);
+    for (int c = 0; c < channels_; ++c) {
+        for (int y = 0; y < height_; ++y) {
+            for (int x = 0; x < width_; ++x) {
+                const std::size_t i =
+                    packed_.offset(c, y) + static_cast<std::size_t>(single ? x / 8 : x);
+                const int shift = single ? x % 8 : 0;
+                const bool in = mask == nullptr || mask->at(x * step_, y * step_) != 0;
+                const int all = in ? (single ? 1 : 255) : 0;
+                const int bits = templ.at(x * step_, y * step_, c);
+                packed_.bytes[i] = static_cast<std::uint8_t>(packed_.bytes[i] | bits << shift);
+                packed_.masks[i] = static_cast<std::uint8_t>(packed_.masks[i] | all << shift);
+            }
+        }
+    }
+}
+
+void Correlator::pack_levels(const Image& templ, const Image* mask) {
+    packed_ = empty_like(width_, height_, channels_);
+    outside_ = packed_;
+    inside_ = empty_like(width_, height_, 1);
+    of_planes_.assign(static_cast<std::size_t>(channels_), inside_);
+    std::int64_t count = 0;
+    std::int64_t sum = 0;  // of T - 128
+    std::int64_t squares = 0;
+    std::int64_t centred_squares = 0;
+    for (int c = 0; c < channels_; ++c) {
+        for (int y = 0; y < height_; ++y) {
+            for (int x = 0; x < packed_.padded_width; ++x) {
+                const std::size_t i = packed_.offset(c, y) + static_cast<std::size_t>(x);
+                const std::size_t in_plane = packed_.offset(0, y) + static_cast<std::size_t>(x);
+                if (x >= width_ || (mask != nullptr && mask->at(x * step_, y * step_) == 0)) {
+                    set_factor(outside_, i, 1);
+                    continue;
+                }
+                const int value = templ.at(x * step_, y * step_, c);
+                packed_.bytes[i] = static_cast<std::uint8_t>(value);
+                set_factor(packed_, i, value - 128);
+                set_factor(of_planes_[static_cast<std::size_t>(c)], in_plane, value - 128);
+                set_factor(inside_, in_plane, 1);
+                ++count;
+                sum += value - 128;
+                squares += value * value;
+                centred_squares += (value - 128) * (value - 128);
+            }
+        }
+    }
+    normalisation_.zero_mean = measure_ == Measure::zncc;
+    normalisation_.count = static_cast<double>(count);
+    normalisation_.template_sum = static_cast<double>(sum);
+    normalisation_.template_squares = normalisation_.zero_mean
+                                          ? static_cast<double>(count * centred_squares - sum * sum)
+                                          : static_cast<double>(squares);
+    by_products_ = !is_cost(measure_) && (masked_ || normalisation_.count > most_in_32_bits);
+}
+
+void Correlator::load(const Image& picture, const Rectangle& region, int first_x, int first_y,
+                      int columns, int rows) {
+    const int bytes = columns + width_ - 1;
+    const int lines = rows + height_ - 1;
+    planes_.stride = whole_groups(columns) + whole_groups(width_ + 3) + kernel_columns;
+    planes_.plane_stride = planes_.stride * lines;
+    make_room(pixels_,
+              static_cast<std::size_t>(planes_.plane_stride * channels_) + kernel_row_slack);
+    planes_.pixels = pixels_.data();
+    for (int y = 0; y < lines; ++y) {
+        const std::uint8_t* from =
+            picture.row(region.y + first_y + y * step_) + (region.x + first_x) * channels_;
+        for (int c = 0; c < channels_; ++c) {
+            std::uint8_t* to = pixels_.data() + c * planes_.plane_stride + y * planes_.stride;
+            if (channels_ == 1 && step_ == 1) {
+                std::memcpy(to, from, static_cast<std::size_t>(bytes));
+            } else if (channels_ == 3 && step_ == 1) {
+                for (int x = 0; x < bytes; ++x) {
+                    to[x] = from[3 * x + c];
+                }
+            } else {
+                for (int x = 0; x < bytes; ++x) {
+                    to[x] = from[x * step_ * channels_ + c];
+                }
+            }
+            std::memset(to + bytes, 0, static_cast<std::size_t>(planes_.stride - bytes));
+            if (packed_.column_step == 8) {
+                gather_bits(to, bytes);
+            }
+        }
+    }
+}
+
+Planes Correlator::planes_from(int row) const {
+    Planes planes = planes_;
+    planes.pixels += row * planes_.stride;
+    return planes;
+}
+
+void Correlator::scores(const Image& picture, const Rectangle& positions, ScoreMap& map) {
+    const int full_width = (width_ - 1) * step_ + 1;
+    const int full_height = (height_ - 1) * step_ + 1;
+    const int left = std::max(positions.x, 0);
+    const int top = std::max(positions.y, 0);
+    const int right = std::min(positions.x + positions.width, picture.width() - full_width + 1);
+    const int bottom = std::min(positions.y + positions.height, picture.height() - full_height + 1);
+    map.positions = {left, top, std::max(right - left, 0), std::max(bottom - top, 0)};
+    map.scores.clear();
+    map.costs.clear();
+    if (map.positions.width == 0 || map.positions.height == 0) {
+        map.positions.width = 0;
+        map.positions.height = 0;
+        return;
+    }
+    if (picture.channels() != channels_) {
+        throw std::invalid_argument("a picture has as many channels as its template");
+    }
+    const std::size_t size = static_cast<std::size_t>(map.positions.width) *
+                             static_cast<std::size_t>(map.positions.height);
+    if (is_cost(measure_)) {
+        map.costs.resize(size);
+    } else {
+        map.scores.resize(size);
+    }
+    // The positions of each phase of the step see pixels of their own.
+    for (int first_y = 0; first_y < std::min(step_, map.positions.height); ++first_y) {
+        for (int first_x = 0; first_x < std::min(step_, map.positions.width); ++first_x) {
+            const int columns = (map.positions.width - first_x + step_ - 1) / step_;
+            const int rows = (map.positions.height - first_y + step_ - 1) / step_;
+            load(picture, map.positions, first_x, first_y, columns, rows);
+            scan(columns, rows, first_x, first_y, map);
+        }
+    }
+}
+
+void Correlator::scan(int columns, int rows, int first_x, int first_y, ScoreMap& map) {
+    const bool cost = is_cost(measure_);
+    Block block{columns, 0, whole_groups(columns)};
+    const auto strip = static_cast<std::size_t>(block.stride * strip_rows);
+    const auto line = static_cast<std::size_t>(whole_groups(columns) +
+                                               2 * whole_groups(width_ + 3) + kernel_columns);
+    make_room(costs_, cost ? strip : 0);
+    make_room(dots_, strip);
+    make_room(wide_, by_products_ ? 3 * strip : 0);
+    make_room(scores_, cost ? 0 : strip);
+    for (auto* vector : {&sums_, &squares_, &column_sums_, &column_squares_, &scratch_}) {
+        make_room(*vector, line);
+    }
+    if (by_products_) {
+        load_squares();
+    }
+    for (int row = 0; row < rows; row += strip_rows) {
+        block.rows = std::min(strip_rows, rows - row);
+        if (measure_ == Measure::hamming) {
+            score_bits(block, row);
+        } else if (measure_ == Measure::sad) {
+            score_sads(block, row);
+        } else if (by_products_) {
+            score_by_products(block, row);
+        } else {
+            score_correlations(block, row);
+        }
+        for (int y = 0; y < block.rows; ++y) {
+            const std::size_t to = static_cast<std::size_t>(first_y + (row + y) * step_) *
+                                       static_cast<std::size_t>(map.positions.width) +
+                                   static_cast<std::size_t>(first_x);
+            for (int x = 0; x < columns; ++x) {
+                const auto from = static_cast<std::size_t>(y * block.stride + x);
+                const std::size_t at = to + static_cast<std::size_t>(x * step_);
+                if (cost) {
+                    map.costs[at] = costs_[from];
+                } else {
+                    map.scores[at] = scores_[from];
+                }
+            }
+        }
+    }
+}
+
+}  // namespace kambara

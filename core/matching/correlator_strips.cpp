@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scores of a strip of rows, one way for each kind of measure and template.
+#include <algorithm>
+#include <cmath>
+
+#include "core/matching/correlator.h"
+
+namespace kambara {
+
+// Column sums over the template's height for the positions' row: rolled on from the row before, or
+// made anew for the first.
+void Correlator::roll_to(int row, int first_column, int columns) {
+    const int count = whole_groups(columns);
+    const auto pixels = [&](int plane, int y) {
+        return planes_.pixels + plane * planes_.plane_stride + y * planes_.stride + first_column;
+    };
+    if (row == 0) {
+        std::fill_n(column_sums_.begin(), count, 0U);
+        std::fill_n(column_squares_.begin(), count, 0U);
+    }
+    for (int plane = 0; plane < channels_; ++plane) {
+        if (row > 0) {
+            kernels_.roll_columns(pixels(plane, row + height_ - 1), pixels(plane, row - 1), count,
+                                  column_sums_.data(), column_squares_.data());
+            continue;
+        }
+        for (int y = 0; y < height_; ++y) {
+            kernels_.roll_columns(pixels(plane, y), nullptr, count, column_sums_.data(),
+                                  column_squares_.data());
+        }
+    }
+}
+
+void Correlator::score_bits(const Block& block, int row) {
+    kernels_.hamming(planes_from(row), packed_, block, costs_.data());
+}
+
+// The kernel counts what is not under the template as compared with 0: it is taken off again.
+void Correlator::score_sads(const Block& block, int row) {
+    kernels_.sad(planes_from(row), packed_, block, costs_.data());
+    const int padding = packed_.padded_width - width_;
+    if (masked_) {
+        kernels_.dot(planes_from(row), outside_, block, dots_.data());
+        for (std::size_t i = 0; i < static_cast<std::size_t>(block.stride * block.rows); ++i) {
+            costs_[i] -= static_cast<std::uint32_t>(dots_[i]);
+        }
+    } else if (padding > 0) {
+        for (int y = 0; y < block.rows; ++y) {
+            roll_to(row + y, width_, block.columns + padding);
+            kernels_.window_sums(column_sums_.data(), padding, whole_groups(block.columns),
+                                 scratch_.data(), sums_.data());
+            std::uint32_t* costs = costs_.data() + y * block.stride;
+            for (int x = 0; x < block.columns; ++x) {
+                costs[x] -= sums_[static_cast<std::size_t>(x)];
+            }
+        }
+    }
+}
+
+void Correlator::score_correlations(const Block& block, int row) {
+    kernels_.dot(planes_from(row), packed_, block, dots_.data());
+    const int count = whole_groups(block.columns);
+    for (int y = 0; y < block.rows; ++y) {
+        roll_to(row + y, 0, block.columns + width_ - 1);
+        kernels_.window_sums(column_sums_.data(), width_, count, scratch_.data(), sums_.data());
+        kernels_.window_sums(column_squares_.data(), width_, count, scratch_.data(),
+                             squares_.data());
+        kernels_.correlate(dots_.data() + y * block.stride, sums_.data(), squares_.data(), count,
+                           normalisation_, scores_.data() + y * block.stride);
+    }
+}
+
+// The two bytes of each pixel's square, as planes of their own.
+void Correlator::load_squares() {
+    const auto bytes = static_cast<std::size_t>(planes_.plane_stride * channels_);
+    if (squares_low_.size() < pixels_.size()) {
+        squares_low_.resize(pixels_.size());
+        squares_high_.resize(pixels_.size());
+    }
+    for (std::size_t i = 0; i < bytes; ++i) {
+        const unsigned square = static_cast<unsigned>(pixels_[i]) * pixels_[i];
+        squares_low_[i] = static_cast<std::uint8_t>(square);
+        squares_high_[i] = static_cast<std::uint8_t>(square >> 8U);
+    }
+}
+
+// Under a mask, or over more pixels than 32 bits hold, every sum is a dot product of one plane.
+void Correlator::score_by_products(const Block& block, int row) {
+    const auto cells = static_cast<std::size_t>(block.stride * block.rows);
+    std::fill_n(wide_.begin(), 3 * cells, 0.0);
+    double* products = wide_.data();
+    double* sums = products + cells;
+    double* squares = sums + cells;
+    const auto add = [&](const std::vector<std::uint8_t>& pixels, int plane,
+                         const PackedTemplate& templ, double factor, double* to) {
+        Planes planes = planes_from(row);
+        planes.pixels = pixels.data() + row * planes_.stride + plane * planes_.plane_stride;
+        kernels_.dot(planes, templ, block, dots_.data());
+        for (std::size_t i = 0; i < cells; ++i) {
+            to[i] += factor * dots_[i];
+        }
+    };
+    for (int plane = 0; plane < channels_; ++plane) {
+        add(pixels_, plane, of_planes_[static_cast<std::size_t>(plane)], 1.0, products);
+        add(pixels_, plane, inside_, 1.0, sums);
+        add(squares_low_, plane, inside_, 1.0, squares);
+        add(squares_high_, plane, inside_, 256.0, squares);
+    }
+    const Normalisation& norm = normalisation_;
+    const auto template_factor = static_cast<float>(norm.template_squares);
+    for (std::size_t i = 0; i < cells; ++i) {
+        const double numerator = norm.zero_mean
+                                     ? norm.count * products[i] - sums[i] * norm.template_sum
+                                     : products[i] + 128.0 * sums[i];
+        const double variance =
+            norm.zero_mean ? norm.count * squares[i] - sums[i] * sums[i] : squares[i];
+        const float product = static_cast<float>(variance) * template_factor;
+        scores_[i] = product > 0.0F ? std::clamp(static_cast<float>(numerator) / std::sqrt(product),
+                                                 -1.0F, 1.0F)
+                                    : 0.0F;
+    }
+}
+
+}  // namespace kambara

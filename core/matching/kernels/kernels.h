@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kambara {
+
+/// Bytes that may be read, and need not mean anything, after the last pixel of each row of a plane
+/// that goes to a kernel, and after the template's last byte.
+inline constexpr std::size_t kernel_row_slack = 192;
+inline constexpr std::size_t kernel_template_slack = 16;
+
+/// Kernels work on whole groups of this many columns.
+inline constexpr int kernel_columns = 64;
+
+/// `count` rounded up to whole groups of columns.
+constexpr int whole_groups(int count) {
+    return (count + kernel_columns - 1) / kernel_columns * kernel_columns;
+}
+
+/// One or more planes of bytes.
+struct Planes {
+    const std::uint8_t* pixels = nullptr;
+    std::ptrdiff_t stride = 0;        ///< bytes from row to row
+    std::ptrdiff_t plane_stride = 0;  ///< bytes from plane to plane
+};
+
+/// A template as the kernels read it: rows padded with zeros to whole groups of four bytes, and
+/// kernel_template_slack bytes after the last.
+struct PackedTemplate {
+    int width = 0;  ///< bytes of a row
+    int height = 0;
+    int planes = 1;
+    int padded_width = 0;  ///< the next multiple of four; of Hamming templates the width itself
+    int column_step = 1;   ///< Hamming: image bytes from one template byte to the next
+
+    std::vector<std::uint8_t> bytes;      ///< [plane][row][padded_width]
+    std::vector<std::uint8_t> masks;      ///< Hamming: the bits that count
+    std::vector<std::int8_t> centred;     ///< less 128; 0 in the padding
+    std::vector<std::int16_t> centred16;  ///< the same, wider
+
+    std::size_t offset(int plane, int y) const {
+        return (static_cast<std::size_t>(plane) * static_cast<std::size_t>(height) +
+                static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(padded_width);
+    }
+    void centre();  ///< makes the centred copies from `bytes`
+};
+
+/// A block of positions, the first over the planes' first pixel. Kernels fill whole groups of
+/// columns: `stride` leaves room for that.
+struct Block {
+    int columns = 0;
+    int rows = 0;
+    std::ptrdiff_t stride = 0;  ///< elements of the result from row to row
+};
+
+/// Factors of the last step from integer sums to a correlation.
+struct Normalisation {
+    bool zero_mean = true;
+    double count = 0.0;             ///< N: pixels of the template, planes included
+    double template_sum = 0.0;      ///< sum(T - 128); not used without zero_mean
+    double template_squares = 0.0;  ///< zero_mean: N sum(T^2) - sum(T)^2; else sum(T^2)
+};
+
+/// The inner loops, once for each kind of vector unit. All give the same integers, and correlations
+/// that differ in no bit, since they are made by correctly rounded operations only.
+struct Kernels {
+    std::string name;
+
+    /// sum(I (T - 128)) at each position. At most 65,793 template pixels: 32 bits hold them.
+    void (*dot)(const Planes&, const PackedTemplate&, const Block&, std::int32_t* out) = nullptr;
+
+    /// sum(abs(I - T)) at each position, padding counted as T = 0. At most 2^24 pixels.
+    void (*sad)(const Planes&, const PackedTemplate&, const Block&, std::uint32_t* out) = nullptr;
+
+    /// Number of bits under the masks that differ, at each position.
+    void (*hamming)(const Planes&, const PackedTemplate&, const Block&,
+                    std::uint32_t* out) = nullptr;
+
+    /// Adds a row of pixels to the sums of columns and takes one away: of values and of squares.
+    /// Either row may be null. Whole groups of columns.
+    void (*roll_columns)(const std::uint8_t* added, const std::uint8_t* removed, int count,
+                         std::uint32_t* sums, std::uint32_t* squares) = nullptr;
+
+    /// out[x] = in[x] + ... + in[x + width - 1] modulo 2^32, for whole groups of columns. Reads
+    /// `in` and writes `scratch` up to width + 64 elements beyond that.
+    void (*window_sums)(const std::uint32_t* in, int width, int count, std::uint32_t* scratch,
+                        std::uint32_t* out) = nullptr;
+
+    /// A row of correlations from dot products and the sums of values and squares under the
+    /// template. A flat patch, or a flat template, gives 0. Whole groups of columns.
+    void (*correlate)(const std::int32_t* dot, const std::uint32_t* sums,
+                      const std::uint32_t* squares, int count, const Normalisation&,
+                      float* out) = nullptr;
+};
+
+/// The best implementation this processor can run; KAMBARA_KERNELS=scalar, sse4, avx2 or avx512 in
+/// the environment caps it. Chosen once.
+const Kernels& best_kernels();
+
+/// All that this processor can run, the plain one first and the best last.
+const std::vector<Kernels>& runnable_kernels();
+
+/// Plain loops, one position after the other: what the others are held to.
+const Kernels& plain_kernels();
+
+}  // namespace kambara

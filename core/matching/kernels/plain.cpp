@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The definitions, loop by loop: what every other implementation must equal.
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/matching/kernels/kernels.h"
+
+namespace kambara {
+namespace {
+
+const std::uint8_t* image_row(const Planes& image, int plane, int y) {
+    return image.pixels + plane * image.plane_stride + y * image.stride;
+}
+
+// Calls term(image byte, index into the template) over the template at each position.
+template <class Sum, class Term>
+void at_each_position(const Planes& image, const PackedTemplate& templ, const Block& block,
+                      int column_step, Sum* out, const Term& term) {
+    for (int y = 0; y < block.rows; ++y) {
+        for (int x = 0; x < block.columns; ++x) {
+            Sum sum = 0;
+            for (int plane = 0; plane < templ.planes; ++plane) {
+                for (int j = 0; j < templ.height; ++j) {
+                    const std::uint8_t* row = image_row(image, plane, y + j) + x;
+                    const std::size_t first = templ.offset(plane, j);
+                    for (int i = 0; i < templ.padded_width; ++i) {
+                        sum = static_cast<Sum>(
+                            sum + term(row[i * column_step], first + static_cast<std::size_t>(i)));
+                    }
+                }
+            }
+            out[y * block.stride + x] = sum;
+        }
+    }
+}
+
+void dot(const Planes& image, const PackedTemplate& templ, const Block& block, std::int32_t* out) {
+    at_each_position(image, templ, block, 1, out, [&](std::uint8_t pixel, std::size_t i) {
+        return pixel * static_cast<std::int32_t>(templ.centred[i]);
+    });
+}
+
+void sad(const Planes& image, const PackedTemplate& templ, const Block& block, std::uint32_t* out) {
+    at_each_position(image, templ, block, 1, out, [&](std::uint8_t pixel, std::size_t i) {
+        return static_cast<std::uint32_t>(std::abs(pixel - static_cast<int>(templ.bytes[i])));
+    });
+}
+
+void hamming(const Planes& image, const PackedTemplate& templ, const Block& block,
+             std::uint32_t* out) {
+    at_each_position(image, templ, block, templ.column_step, out,
+                     [&](std::uint8_t pixel, std::size_t i) {
+                         const auto differing =
+                             static_cast<std::uint8_t>((pixel ^ templ.bytes[i]) & templ.masks[i]);
+                         return static_cast<std::uint32_t>(std::popcount(differing));
+                     });
+}
+
+void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int count,
+                  std::uint32_t* sums, std::uint32_t* squares) {
+    for (int x = 0; x < count; ++x) {
+        const std::uint32_t a = added != nullptr ? added[x] : 0U;
+        const std::uint32_t r = removed != nullptr ? removed[x] : 0U;
+        sums[x] += a - r;
+        squares[x] += a * a - r * r;
+    }
+}
+
+void window_sums(const std::uint32_t* in, int width, int count, std::uint32_t* /*scratch*/,
+                 std::uint32_t* out) {
+    for (int x = 0; x < count; ++x) {
+        std::uint32_t sum = 0;
+        for (int i = 0; i < width; ++i) {
+            sum += in[x + i];
+        }
+        out[x] = sum;
+    }
+}
+
+void correlate(const std::int32_t* dots, const std::uint32_t* sums, const std::uint32_t* squares,
+               int count, const Normalisation& norm, float* out) {
+    const auto template_factor = static_cast<float>(norm.template_squares);
+    for (int x = 0; x < count; ++x) {
+        const double S = sums[x];
+        const double numerator =
+            norm.zero_mean ? norm.count * dots[x] - S * norm.template_sum : dots[x] + 128.0 * S;
+        const double variance = norm.zero_mean ? norm.count * squares[x] - S * S : squares[x];
+        const float product = static_cast<float>(variance) * template_factor;
+        const float score = static_cast<float>(numerator) / std::sqrt(product);
+        out[x] = product > 0.0F ? std::fmin(std::fmax(score, -1.0F), 1.0F) : 0.0F;
+    }
+}
+
+}  // namespace
+
+const Kernels& plain_kernels() {
+    static const Kernels kernels{"scalar", dot, sad, hamming, roll_columns, window_sums, correlate};
+    return kernels;
+}
+
+void PackedTemplate::centre() {
+    centred.assign(bytes.size(), 0);
+    centred16.assign(bytes.size(), 0);
+    for (std::size_t i = 0; i + kernel_template_slack < bytes.size(); ++i) {
+        if (static_cast<int>(i % static_cast<std::size_t>(padded_width)) < width) {
+            centred16[i] = static_cast<std::int16_t>(bytes[i] - 128);
+            centred[i] = static_cast<std::int8_t>(bytes[i] - 128);
+        }
+    }
+}
+
+}  // namespace kambara
