@@ -168,6 +168,14 @@
         <translation>Wählen Sie mindestens 7 x 7 Pixel; 21 x 21 ist eine gute Größe.</translation>
     </message>
     <message>
+        <source>The template %1 is too large to be followed.</source>
+        <translation>Die Vorlage %1 ist zu groß, um verfolgt zu werden.</translation>
+    </message>
+    <message>
+        <source>Choose at most 255 x 255 pixels; 31 x 31 is a good size.</source>
+        <translation>Wählen Sie höchstens 255 x 255 Pixel; 31 x 31 ist eine gute Größe.</translation>
+    </message>
+    <message>
         <source>The template %1 has no texture: its grey levels vary by %2, noise included.</source>
         <translation>Die Vorlage %1 hat keine Struktur: ihre Grauwerte schwanken um %2, Rauschen eingerechnet.</translation>
     </message>

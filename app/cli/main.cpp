@@ -44,8 +44,9 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     c->add_option("--template", o.templ, "X,Y,W,H in the first frame; auto with sim:")->required();
     c->add_option("--start", o.sources.start, "Begin at this frame; numbering stays")
         ->check(CLI::NonNegativeNumber);
-    c->add_option("--measure", o.measure, "sad, ncc or zncc")->capture_default_str();
-    c->add_option("--transform", o.transform, "none")->capture_default_str();
+    c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")->capture_default_str();
+    c->add_option("--transform", o.transform, "none, gauss, rank3, rank5, census, sdog or gradient")
+        ->capture_default_str();
     c->add_option("--pan-tilt", o.sources.pan_tilt, "Head to steer: sim:PROFILE");
     c->add_option("--seconds", o.seconds, "Stop after so much of the source's time")
         ->check(CLI::PositiveNumber);
@@ -88,9 +89,11 @@ void add_match(CLI::App& app, Chosen& chosen, MatchOptions& o) {
     CLI::App* c = app.add_subcommand("match", "Find a template picture in another picture");
     c->add_option("image", o.image, "The picture")->required();
     c->add_option("template", o.templ, "The template picture")->required();
-    c->add_option("--measure", o.measure, "sad, ncc or zncc")->capture_default_str();
-    c->add_option("--transform", o.transform, "none")->capture_default_str();
-    c->add_option("--search", o.search, "full")->capture_default_str();
+    c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")->capture_default_str();
+    c->add_option("--transform", o.transform, "none, gauss, rank3, rank5, census, sdog or gradient")
+        ->capture_default_str();
+    c->add_option("--search", o.search, "full, or sparse: every second pixel")
+        ->capture_default_str();
     c->add_option("--map", o.map, "Write the scores as a 32-bit float TIFF");
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_match(o); }; });

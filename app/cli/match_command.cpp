@@ -3,13 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/cli/choices.h"
+#include "core/matching/matcher.h"
 #include "core/matching/peak.h"
-#include "core/matching/score_map.h"
 #include "hardware/media/picture_file.h"
 
 namespace kambara::cli {
 namespace {
+
+constexpr int smallest_inner_px = 3;
 
 Outcome refused(Error error) {
     return {std::move(error)};
@@ -22,14 +23,15 @@ std::string size_text(const Image& picture) {
 }  // namespace
 
 Outcome run_match(const MatchOptions& options) {
-    const auto measure = chosen_measure(options.measure, options.transform);
-    if (!measure) {
-        return refused(measure.error());
+    auto method = parse_method(options.measure, options.transform);
+    if (!method) {
+        return refused(method.error());
     }
-    if (options.search != "full") {
-        return refused(
-            {"The search \"" + options.search + "\" is not available here.", "Use --search full."});
+    if (options.search != "full" && options.search != "sparse") {
+        return refused({"The search \"" + options.search + "\" is not available here.",
+                        "Use --search full, or sparse to compare every second pixel."});
     }
+    method->step = options.search == "sparse" ? 2 : 1;
     auto image = read_picture(options.image);
     if (!image) {
         return refused(image.error());
@@ -38,7 +40,7 @@ Outcome run_match(const MatchOptions& options) {
     if (!templ) {
         return refused(templ.error());
     }
-    if (image->channels() != templ->channels()) {
+    if (image->channels() != templ->channels() || method->transform != Transform::none) {
         image = grey_from(*image);
         templ = grey_from(*templ);
     }
@@ -51,8 +53,23 @@ Outcome run_match(const MatchOptions& options) {
         return refused({"The template has " + size_text(*templ) + " pixels: too many to compare.",
                         "Give one of at most 255 x 255 pixels, or make both pictures smaller."});
     }
-    const ScoreMap map = score_map(*measure, *image, *templ, all_positions(*image, *templ));
-    const auto peak = best_peak(map, *measure);
+    // The template's own border has no transform: the part within it is compared.
+    const int margin = margin_px(method->transform);
+    const Rectangle inner{margin, margin, templ->width() - 2 * margin,
+                          templ->height() - 2 * margin};
+    if (inner.width < smallest_inner_px || inner.height < smallest_inner_px) {
+        return refused({"The template of " + size_text(*templ) +
+                            " pixels is too small for the "
+                            "transform " +
+                            options.transform + ", which takes " + std::to_string(margin) +
+                            " pixels off each side.",
+                        "Give a larger one, or use another transform."});
+    }
+    Matcher matcher(*method);
+    matcher.set_template(*templ, inner);
+    ScoreMap map;
+    matcher.scores(*image, {0, 0, image->width(), image->height()}, map);
+    const auto peak = best_peak(map, method->measure);
     if (options.map) {
         std::vector<float> values(map.size());
         for (std::size_t i = 0; i < map.size(); ++i) {
@@ -64,9 +81,9 @@ Outcome run_match(const MatchOptions& options) {
             return refused(written.error());
         }
     }
-    const double x_px = peak->x + 0.5 * (templ->width() - 1);
-    const double y_px = peak->y + 0.5 * (templ->height() - 1);
-    const double likeness = quality(*measure, peak->score, *templ);
+    const double x_px = peak->x - margin + 0.5 * (templ->width() - 1);
+    const double y_px = peak->y - margin + 0.5 * (templ->height() - 1);
+    const double likeness = matcher.quality(peak->score);
     Outcome outcome;
     outcome.json = nlohmann::json{
         {"x_px", x_px},
@@ -76,7 +93,7 @@ Outcome run_match(const MatchOptions& options) {
          likeness}}.dump(2);
     char line[160];
     std::snprintf(line, sizeof line, "Centre at (%.2f, %.2f) px, %s %.6g, quality %.3f\n", x_px,
-                  y_px, to_string(*measure).c_str(), peak->score, likeness);
+                  y_px, to_string(method->measure).c_str(), peak->score, likeness);
     outcome.summary = line;
     return outcome;
 }

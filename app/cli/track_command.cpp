@@ -6,12 +6,12 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/choices.h"
 #include "app/cli/terminal.h"
 #include "app/cli/track_table.h"
 #include "app/cli/truth_comparison.h"
 #include "core/base/text_file.h"
 #include "core/image/rectangle.h"
+#include "core/matching/match_method.h"
 #include "hardware/simulated/simulated_world.h"
 
 namespace kambara::cli {
@@ -128,9 +128,9 @@ Result<Rectangle> chosen_template(const TrackOptions& options, const Sources& so
 
 // The part of the work that has no outcome of its own yet.
 Result<nlohmann::json> track(const TrackOptions& options) {
-    const auto measure = chosen_measure(options.measure, options.transform);
-    if (!measure) {
-        return measure.error();
+    const auto method = parse_method(options.measure, options.transform);
+    if (!method) {
+        return method.error();
     }
     if (options.record) {
         return Error{"Recording a session is not in this version yet.", "Leave --record out."};
@@ -145,7 +145,7 @@ Result<nlohmann::json> track(const TrackOptions& options) {
         return rectangle.error();
     }
     VisionSystemOptions system_options;
-    system_options.tracker.search.measure = *measure;
+    system_options.tracker.search.method = *method;
     system_options.every_frame = sources->every_frame;
     system_options.start_paused = true;
     auto opened = open_vision_system(std::move(sources->parts), system_options, clock);
@@ -197,7 +197,7 @@ std::string summary_of(const nlohmann::json& report, const TrackOptions& options
                   100.0 * report["tracked_fraction"].get<double>(),
                   report["processing_ms_mean"].get<double>());
     std::string text = line;
-    if (report.contains("truth")) {
+    if (report.contains("truth") && report["tracked_frames"].get<long long>() > 0) {
         const auto& truth = report["truth"];
         std::snprintf(line, sizeof line,
                       "Against the truth: range error mean %.3f %%, worst %.3f %%; head within 1 "

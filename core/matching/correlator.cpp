@@ -59,9 +59,20 @@ void check_size(const Image& templ, const Image* mask, int step) {
     }
 }
 
+template <class T>
+void spread(const T* from, int count, int step, T* to) {
+    if (step == 1) {
+        std::copy_n(from, count, to);
+        return;
+    }
+    for (int x = 0; x < count; ++x) {
+        to[x * step] = from[x];
+    }
+}
+
 }  // namespace
 
-Correlator::Correlator(const Kernels& kernels) : kernels_(kernels) {}
+Correlator::Correlator(const Kernels& kernels) : kernels_(&kernels) {}
 
 void Correlator::set_template(Measure measure, const Image& templ, const Image* mask, int step) {
     check_size(templ, mask, step);
@@ -190,11 +201,11 @@ void Correlator::scores(const Image& picture, const Rectangle& positions, ScoreM
     const int right = std::min(positions.x + positions.width, picture.width() - full_width + 1);
     const int bottom = std::min(positions.y + positions.height, picture.height() - full_height + 1);
     map.positions = {left, top, std::max(right - left, 0), std::max(bottom - top, 0)};
-    map.scores.clear();
-    map.costs.clear();
     if (map.positions.width == 0 || map.positions.height == 0) {
         map.positions.width = 0;
         map.positions.height = 0;
+        map.scores.clear();
+        map.costs.clear();
         return;
     }
     if (picture.channels() != channels_) {
@@ -202,11 +213,9 @@ void Correlator::scores(const Image& picture, const Rectangle& positions, ScoreM
     }
     const std::size_t size = static_cast<std::size_t>(map.positions.width) *
                              static_cast<std::size_t>(map.positions.height);
-    if (is_cost(measure_)) {
-        map.costs.resize(size);
-    } else {
-        map.scores.resize(size);
-    }
+    // Not cleared before: what is there is written over.
+    map.costs.resize(is_cost(measure_) ? size : 0);
+    map.scores.resize(is_cost(measure_) ? 0 : size);
     // The positions of each phase of the step see pixels of their own.
     for (int first_y = 0; first_y < std::min(step_, map.positions.height); ++first_y) {
         for (int first_x = 0; first_x < std::min(step_, map.positions.width); ++first_x) {
@@ -228,7 +237,7 @@ void Correlator::scan(int columns, int rows, int first_x, int first_y, ScoreMap&
     make_room(dots_, strip);
     make_room(wide_, by_products_ ? 3 * strip : 0);
     make_room(scores_, cost ? 0 : strip);
-    for (auto* vector : {&sums_, &squares_, &column_sums_, &column_squares_, &scratch_}) {
+    for (auto* vector : {&sums_, &squares_, &column_sums_, &column_squares_}) {
         make_room(*vector, line);
     }
     if (by_products_) {
@@ -249,14 +258,11 @@ void Correlator::scan(int columns, int rows, int first_x, int first_y, ScoreMap&
             const std::size_t to = static_cast<std::size_t>(first_y + (row + y) * step_) *
                                        static_cast<std::size_t>(map.positions.width) +
                                    static_cast<std::size_t>(first_x);
-            for (int x = 0; x < columns; ++x) {
-                const auto from = static_cast<std::size_t>(y * block.stride + x);
-                const std::size_t at = to + static_cast<std::size_t>(x * step_);
-                if (cost) {
-                    map.costs[at] = costs_[from];
-                } else {
-                    map.scores[at] = scores_[from];
-                }
+            const auto from = static_cast<std::size_t>(y * block.stride);
+            if (cost) {
+                spread(costs_.data() + from, columns, step_, map.costs.data() + to);
+            } else {
+                spread(scores_.data() + from, columns, step_, map.scores.data() + to);
             }
         }
     }

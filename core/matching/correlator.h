@@ -45,7 +45,7 @@ class Correlator {
     void roll_to(int row, int first_column, int columns);
     Planes planes_from(int row) const;
 
-    const Kernels& kernels_;
+    const Kernels* kernels_;
     Measure measure_ = Measure::zncc;
     int width_ = 0;  // of the template as it is compared, every step-th pixel
     int height_ = 0;
@@ -69,7 +69,6 @@ class Correlator {
     std::vector<std::uint32_t> squares_;
     std::vector<std::uint32_t> column_sums_;
     std::vector<std::uint32_t> column_squares_;
-    std::vector<std::uint32_t> scratch_;
     std::vector<double> wide_;
     std::vector<float> scores_;
 };

@@ -20,53 +20,49 @@ void Correlator::roll_to(int row, int first_column, int columns) {
     }
     for (int plane = 0; plane < channels_; ++plane) {
         if (row > 0) {
-            kernels_.roll_columns(pixels(plane, row + height_ - 1), pixels(plane, row - 1), count,
-                                  column_sums_.data(), column_squares_.data());
+            kernels_->roll_columns(pixels(plane, row + height_ - 1), pixels(plane, row - 1), count,
+                                   column_sums_.data(), column_squares_.data());
             continue;
         }
         for (int y = 0; y < height_; ++y) {
-            kernels_.roll_columns(pixels(plane, y), nullptr, count, column_sums_.data(),
-                                  column_squares_.data());
+            kernels_->roll_columns(pixels(plane, y), nullptr, count, column_sums_.data(),
+                                   column_squares_.data());
         }
     }
 }
 
 void Correlator::score_bits(const Block& block, int row) {
-    kernels_.hamming(planes_from(row), packed_, block, costs_.data());
+    kernels_->hamming(planes_from(row), packed_, block, costs_.data());
 }
 
 // The kernel counts what is not under the template as compared with 0: it is taken off again.
 void Correlator::score_sads(const Block& block, int row) {
-    kernels_.sad(planes_from(row), packed_, block, costs_.data());
+    kernels_->sad(planes_from(row), packed_, block, costs_.data());
     const int padding = packed_.padded_width - width_;
     if (masked_) {
-        kernels_.dot(planes_from(row), outside_, block, dots_.data());
+        kernels_->dot(planes_from(row), outside_, block, dots_.data());
         for (std::size_t i = 0; i < static_cast<std::size_t>(block.stride * block.rows); ++i) {
             costs_[i] -= static_cast<std::uint32_t>(dots_[i]);
         }
     } else if (padding > 0) {
         for (int y = 0; y < block.rows; ++y) {
             roll_to(row + y, width_, block.columns + padding);
-            kernels_.window_sums(column_sums_.data(), padding, whole_groups(block.columns),
-                                 scratch_.data(), sums_.data());
-            std::uint32_t* costs = costs_.data() + y * block.stride;
-            for (int x = 0; x < block.columns; ++x) {
-                costs[x] -= sums_[static_cast<std::size_t>(x)];
-            }
+            kernels_->take_off(column_sums_.data(), padding, whole_groups(block.columns),
+                               costs_.data() + y * block.stride);
         }
     }
 }
 
 void Correlator::score_correlations(const Block& block, int row) {
-    kernels_.dot(planes_from(row), packed_, block, dots_.data());
-    const int count = whole_groups(block.columns);
+    kernels_->dot(planes_from(row), packed_, block, dots_.data());
+    const int columns = whole_groups(block.columns);
+    const int summed = whole_groups(block.columns + width_ - 1);
     for (int y = 0; y < block.rows; ++y) {
-        roll_to(row + y, 0, block.columns + width_ - 1);
-        kernels_.window_sums(column_sums_.data(), width_, count, scratch_.data(), sums_.data());
-        kernels_.window_sums(column_squares_.data(), width_, count, scratch_.data(),
-                             squares_.data());
-        kernels_.correlate(dots_.data() + y * block.stride, sums_.data(), squares_.data(), count,
-                           normalisation_, scores_.data() + y * block.stride);
+        roll_to(row + y, 0, summed);
+        kernels_->prefix_sums(column_sums_.data(), summed, sums_.data());
+        kernels_->prefix_sums(column_squares_.data(), summed, squares_.data());
+        kernels_->correlate(dots_.data() + y * block.stride, sums_.data(), squares_.data(), width_,
+                            columns, normalisation_, scores_.data() + y * block.stride);
     }
 }
 
@@ -95,7 +91,7 @@ void Correlator::score_by_products(const Block& block, int row) {
                          const PackedTemplate& templ, double factor, double* to) {
         Planes planes = planes_from(row);
         planes.pixels = pixels.data() + row * planes_.stride + plane * planes_.plane_stride;
-        kernels_.dot(planes, templ, block, dots_.data());
+        kernels_->dot(planes, templ, block, dots_.data());
         for (std::size_t i = 0; i < cells; ++i) {
             to[i] += factor * dots_[i];
         }

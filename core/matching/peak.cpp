@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/matching/kernels/kernels.h"
+
 namespace kambara {
 namespace {
 
@@ -30,23 +32,42 @@ std::optional<std::pair<double, double>> vertex(const ScoreMap& map, int x, int 
                      std::clamp(dy, -farthest_vertex, farthest_vertex));
 }
 
+// The best score of a run of positions.
+double best_of(const ScoreMap& map, Measure measure, int x, int y, int count) {
+    const std::size_t first = map.index(x, y);
+    return is_cost(measure)
+               ? static_cast<double>(best_kernels().smallest(map.costs.data() + first, count))
+               : static_cast<double>(best_kernels().largest(map.scores.data() + first, count));
+}
+
 }  // namespace
 
-std::optional<Peak> best_peak(const ScoreMap& map, Measure measure) {
+std::optional<Peak> best_peak(const ScoreMap& map, Measure measure,
+                              std::optional<Eigen::Vector2d> expected) {
     if (map.empty()) {
         return std::nullopt;
     }
     const Rectangle& r = map.positions;
     Peak peak;
-    peak.whole_x = r.x;
-    peak.whole_y = r.y;
-    peak.score = map.value(0);
+    double nearest = 0.0;
+    bool found = false;
     for (int y = r.y; y < r.y + r.height; ++y) {
+        const double best = best_of(map, measure, r.x, y, r.width);
+        if (found && !better(measure, best, peak.score) && best != peak.score) {
+            continue;
+        }
         for (int x = r.x; x < r.x + r.width; ++x) {
-            if (better(measure, map.at(x, y), peak.score)) {
-                peak.score = map.at(x, y);
+            if (map.at(x, y) != best) {
+                continue;
+            }
+            const double distance =
+                expected ? (Eigen::Vector2d(x, y) - *expected).squaredNorm() : 0.0;
+            if (!found || better(measure, best, peak.score) || distance < nearest) {
+                found = true;
+                peak.score = best;
                 peak.whole_x = x;
                 peak.whole_y = y;
+                nearest = distance;
             }
         }
     }
@@ -68,15 +89,23 @@ std::optional<double> runner_up(const ScoreMap& map, Measure measure, const Peak
                                 int distance) {
     const Rectangle& r = map.positions;
     std::optional<double> best;
-    for (int y = r.y; y < r.y + r.height; ++y) {
-        for (int x = r.x; x < r.x + r.width; ++x) {
-            if (std::abs(x - peak.whole_x) <= distance && std::abs(y - peak.whole_y) <= distance) {
-                continue;
-            }
-            if (!best || better(measure, map.at(x, y), *best)) {
-                best = map.at(x, y);
-            }
+    const auto look = [&](int x, int y, int count) {
+        if (count <= 0) {
+            return;
         }
+        const double here = best_of(map, measure, x, y, count);
+        if (!best || better(measure, here, *best)) {
+            best = here;
+        }
+    };
+    for (int y = r.y; y < r.y + r.height; ++y) {
+        if (std::abs(y - peak.whole_y) > distance) {
+            look(r.x, y, r.width);
+            continue;
+        }
+        const int beyond = std::max(r.x, peak.whole_x + distance + 1);
+        look(r.x, y, std::min(r.width, peak.whole_x - distance - r.x));
+        look(beyond, y, r.x + r.width - beyond);
     }
     return best;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 
 #include "core/image/image.h"
@@ -18,10 +19,12 @@ struct Peak {
     bool on_border = false;  ///< the best may lie outside the region searched
 };
 
-/// The best position; of equal ones the first in reading order. Sub-pixel by the extremum of the
+/// The best position; of equal ones the nearest to the one expected, then the first in reading
+/// order. Sub-pixel by the extremum of the
 /// quadratic through the best score and its eight neighbours, less than a pixel away. Empty for an
 /// empty map.
-std::optional<Peak> best_peak(const ScoreMap& map, Measure measure);
+std::optional<Peak> best_peak(const ScoreMap& map, Measure measure,
+                              std::optional<Eigen::Vector2d> expected = std::nullopt);
 
 /// The best score farther than `distance` positions (in x or in y) from the peak: what the match
 /// must be told apart from. Empty where the map holds no such position.

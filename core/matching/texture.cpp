@@ -34,6 +34,25 @@ double weaker_eigenvalue(const Eigen::Matrix2d& symmetric) {
         .eigenvalues()[0];
 }
 
+// Zero-mean correlation of a part of a template; 0 over a flat patch.
+double likeness_of(const Image& grey, const Image& templ, const Rectangle& inner, int x0, int y0) {
+    double n = 0.0, I = 0.0, T = 0.0, II = 0.0, TT = 0.0, IT = 0.0;
+    for (int y = 0; y < inner.height; ++y) {
+        for (int x = 0; x < inner.width; ++x) {
+            const double i = grey.at(x0 + x, y0 + y);
+            const double t = templ.at(inner.x + x, inner.y + y);
+            n += 1.0;
+            I += i;
+            T += t;
+            II += i * i;
+            TT += t * t;
+            IT += i * t;
+        }
+    }
+    const double of_both = (n * II - I * I) * (n * TT - T * T);
+    return of_both > 0.0 ? (n * IT - I * T) / std::sqrt(of_both) : 0.0;
+}
+
 }  // namespace
 
 Texture texture_of(const Image& grey, const Rectangle& r) {
@@ -67,6 +86,10 @@ Result<Done> check_template(const Image& grey, const Rectangle& r) {
         return Error{"The template " + to_string(r) + " is too small to be followed.",
                      "Choose at least 7 x 7 pixels; 21 x 21 is a good size."};
     }
+    if (r.width > largest_template_px || r.height > largest_template_px) {
+        return Error{"The template " + to_string(r) + " is too large to be followed.",
+                     "Choose at most 255 x 255 pixels; 31 x 31 is a good size."};
+    }
     const Texture texture = texture_of(grey, r);
     if (texture.contrast_grey < least_contrast_grey) {
         return Error{"The template " + to_string(r) + " has no texture: its grey levels vary by " +
@@ -81,15 +104,15 @@ Result<Done> check_template(const Image& grey, const Rectangle& r) {
     return Done{};
 }
 
-Eigen::Matrix2d match_covariance_px2(const Image& grey, const Image& templ, int x0, int y0,
-                                     double floor_px) {
-    const double n = static_cast<double>(templ.width()) * templ.height();
-    const double likeness = score_at(Measure::zncc, grey, templ, x0, y0);
+Eigen::Matrix2d match_covariance_px2(const Image& grey, const Image& templ, const Rectangle& inner,
+                                     int x0, int y0, double floor_px) {
+    const double n = static_cast<double>(inner.width) * inner.height;
+    const double likeness = likeness_of(grey, templ, inner, x0, y0);
     double sum = 0.0;
     double squares = 0.0;
     Eigen::Matrix2d gradients = Eigen::Matrix2d::Zero();
-    for (int y = y0; y < y0 + templ.height(); ++y) {
-        for (int x = x0; x < x0 + templ.width(); ++x) {
+    for (int y = y0; y < y0 + inner.height; ++y) {
+        for (int x = x0; x < x0 + inner.width; ++x) {
             const double value = grey.at(x, y);
             sum += value;
             squares += value * value;

@@ -23,10 +23,11 @@ Texture texture_of(const Image& grey, const Rectangle& rectangle);
 /// enough texture in every direction to be followed. The error says which failed.
 Result<Done> check_template(const Image& grey, const Rectangle& rectangle);
 
-/// Covariance, px^2, of a match found by least squares between `templ` and the piece of `grey`
-/// at (x, y) once gain and offset are fitted: residual variance by the inverse of the summed
-/// gradient products, plus `floor_px` squared for what the model of the patch leaves out.
-Eigen::Matrix2d match_covariance_px2(const Image& grey, const Image& templ, int x, int y,
-                                     double floor_px);
+/// Covariance, px^2, of a match found by least squares between the part `inner` of `templ` and the
+/// piece of `grey` at (x, y) once gain and offset are fitted: residual variance by the inverse of
+/// the summed gradient products, plus `floor_px` squared for what the model of the patch leaves
+/// out.
+Eigen::Matrix2d match_covariance_px2(const Image& grey, const Image& templ, const Rectangle& inner,
+                                     int x, int y, double floor_px);
 
 }  // namespace kambara

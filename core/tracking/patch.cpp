@@ -76,7 +76,7 @@ std::optional<Eigen::Vector2i> half_size_at(const ReferencePatch& patch, const C
 
 std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Camera& left,
                                           const Camera& camera,
-                                          const Eigen::Vector3d& point_in_rig_mm) {
+                                          const Eigen::Vector3d& point_in_rig_mm, int margin) {
     const auto centre = camera.project(point_in_rig_mm);
     if (!centre || !camera.sees(*centre)) {
         return std::nullopt;
@@ -90,13 +90,14 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
     RenderedPatch result;
     result.top_left = middle - *half;
     result.centre = *centre - result.top_left.cast<double>();
-    result.picture = Image(2 * half->x() + 1, 2 * half->y() + 1);
+    result.margin = margin;
+    result.picture = Image(2 * (half->x() + margin) + 1, 2 * (half->y() + margin) + 1);
+    const Eigen::Vector2i first = result.top_left - Eigen::Vector2i(margin, margin);
     const Eigen::Vector3d back = patch.point_in_rig_mm - point_in_rig_mm;
     for (int y = 0; y < result.picture.height(); ++y) {
         std::uint8_t* out = result.picture.row(y);
         for (int x = 0; x < result.picture.width(); ++x) {
-            const auto ray =
-                camera.unproject((result.top_left + Eigen::Vector2i(x, y)).cast<double>());
+            const auto ray = camera.unproject((first + Eigen::Vector2i(x, y)).cast<double>());
             if (!ray || std::abs(ray->direction.z()) < smallest_cosine) {
                 return std::nullopt;
             }

@@ -20,11 +20,17 @@ struct ReferencePatch {
 
 /// A reference patch as another camera, or the same one elsewhere, would see it.
 struct RenderedPatch {
-    Image picture;
-    /// Where the reference point lies in it; top-left pixel + this = the point's pixel.
+    Image picture;   ///< the patch, and about it a margin
+    int margin = 0;  ///< pixels on each side that transforms need and the comparison leaves out
+    /// Where the reference point lies in the patch; its top-left pixel + this = the point's pixel.
     Eigen::Vector2d centre;
     /// The whole pixel of the camera's picture on which the patch's top-left pixel belongs.
     Eigen::Vector2i top_left;
+
+    /// The patch within `picture`.
+    Rectangle inner() const {
+        return {margin, margin, picture.width() - 2 * margin, picture.height() - 2 * margin};
+    }
 };
 
 /// Draws the patch for `camera` with its reference point at `point_in_rig_mm`: the patch is taken
@@ -32,10 +38,10 @@ struct RenderedPatch {
 /// new place. Each pixel's ray goes through the camera's lens to that plane, back along the shift,
 /// and through the left lens into the reference picture (cubic interpolation), so that neither
 /// distortion nor distance bends the comparison. The result covers no more than the reference patch
-/// did. Empty where the place is not in the camera's field or the patch would be smaller than 5
-/// x 5.
+/// did, the margin aside. Empty where the place is not in the camera's field or the patch would be
+/// smaller than 5 x 5.
 std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Camera& left,
                                           const Camera& camera,
-                                          const Eigen::Vector3d& point_in_rig_mm);
+                                          const Eigen::Vector3d& point_in_rig_mm, int margin = 0);
 
 }  // namespace kambara

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/matching/matcher.h"
 #include "core/matching/peak.h"
 #include "core/matching/score_map.h"
 #include "core/matching/texture.h"
@@ -24,34 +25,52 @@ struct Found {
     Eigen::Vector2i shift;  // of the whole-pixel peak from where the patch was drawn
 };
 
+// Its working memory is kept from search to search.
+Matcher& matcher_for(const MatchMethod& method) {
+    thread_local Matcher matcher;
+    if (matcher.method() != method) {
+        matcher = Matcher(method);
+    }
+    return matcher;
+}
+
+std::optional<RenderedPatch> drawn_for(const MatchMethod& method, const ReferencePatch& patch,
+                                       const Camera& left, const Camera& camera,
+                                       const Eigen::Vector3d& point_in_rig_mm) {
+    return render_patch(patch, left, camera, point_in_rig_mm, margin_px(method.transform));
+}
+
 // Scores the drawn patch over shifts of up to (across, down) pixels from where it was drawn.
 std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, int across,
                                  int down, const PatchSearchOptions& options,
                                  SearchDetail* detail = nullptr) {
+    thread_local ScoreMap map;
+    Matcher& matcher = matcher_for(options.method);
+    const Rectangle inner = drawn.inner();
     const Rectangle positions{drawn.top_left.x() - across, drawn.top_left.y() - down,
                               2 * across + 1, 2 * down + 1};
-    ScoreMap map = score_map(options.measure, grey, drawn.picture, positions);
-    const auto peak = best_peak(map, options.measure);
+    matcher.set_template(drawn.picture, inner);
+    matcher.scores(grey, positions, map);
+    const Measure measure = options.method.measure;
+    const auto peak = best_peak(map, measure, drawn.top_left.cast<double>());
     if (!peak) {
         return std::nullopt;
     }
     Found found;
     found.match.pixel = Eigen::Vector2d(peak->x, peak->y) + drawn.centre;
-    found.match.quality = quality(options.measure, peak->score, drawn.picture);
+    found.match.quality = matcher.quality(peak->score);
     found.match.on_border = peak->on_border;
-    found.match.size_px = {drawn.picture.width(), drawn.picture.height()};
+    found.match.size_px = {inner.width, inner.height};
     found.shift = Eigen::Vector2i(peak->whole_x, peak->whole_y) - drawn.top_left;
-    const int apart = std::max(3, std::min(drawn.picture.width(), drawn.picture.height()) / 3);
-    if (const auto next = runner_up(map, options.measure, *peak, apart)) {
-        found.match.distinctness =
-            found.match.quality - quality(options.measure, *next, drawn.picture);
+    const int apart = std::max(3, std::min(inner.width, inner.height) / 3);
+    if (const auto next = runner_up(map, measure, *peak, apart)) {
+        found.match.distinctness = found.match.quality - matcher.quality(*next);
     }
     if (detail != nullptr) {
-        detail->measure = options.measure;
-        detail->map = std::move(map);
+        detail->measure = measure;
+        detail->map = map;
         detail->template_size_px = found.match.size_px;
-        const double left_by_one = quality(Measure::sad, 1.0, drawn.picture);
-        detail->unlike_sad = left_by_one < 1.0 ? 1.0 / (1.0 - left_by_one) : 1.0;
+        detail->unlike_cost = matcher.unlike();
     }
     return found;
 }
@@ -87,7 +106,8 @@ void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
     const Eigen::Vector2d start = match.pixel;
     for (int i = 0; i < most_refinements; ++i) {
         const auto place = place_at(camera, match.pixel, expected_in_rig_mm);
-        const auto drawn = place ? render_patch(patch, left, camera, *place) : std::nullopt;
+        const auto drawn =
+            place ? drawn_for(options.method, patch, left, camera, *place) : std::nullopt;
         const auto found = drawn ? match_drawn(*drawn, grey, 2, 2, options) : std::nullopt;
         if (!found || (found->match.pixel - start).norm() > farthest_refinement_px) {
             return;
@@ -96,9 +116,9 @@ void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
         match.pixel = found->match.pixel;
         match.quality = found->match.quality;
         match.size_px = found->match.size_px;
-        match.covariance_px2 =
-            match_covariance_px2(grey, drawn->picture, drawn->top_left.x() + found->shift.x(),
-                                 drawn->top_left.y() + found->shift.y(), options.floor_px);
+        match.covariance_px2 = match_covariance_px2(
+            grey, drawn->picture, drawn->inner(), drawn->top_left.x() + found->shift.x(),
+            drawn->top_left.y() + found->shift.y(), options.floor_px);
         if (moved < settled_px) {
             return;
         }
@@ -111,7 +131,7 @@ std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camer
                                         const Camera& camera, const Image& grey,
                                         const Eigen::Vector3d& expected_in_rig_mm, int radius_px,
                                         const PatchSearchOptions& options, SearchDetail* detail) {
-    const auto drawn = render_patch(patch, left, camera, expected_in_rig_mm);
+    const auto drawn = drawn_for(options.method, patch, left, camera, expected_in_rig_mm);
     if (!drawn) {
         return std::nullopt;
     }
@@ -136,7 +156,8 @@ std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const EpipolarSample& sample = curve[i];
         tried.point_in_rig_mm = sample.point_in_rig_mm;
-        const auto drawn = render_patch(tried, rig.left, *rig.right, sample.point_in_rig_mm);
+        const auto drawn =
+            drawn_for(options.method, tried, rig.left, *rig.right, sample.point_in_rig_mm);
         const Eigen::Vector2i reach = reach_to_neighbours(curve, i, band_px);
         const auto found =
             drawn ? match_drawn(*drawn, right_grey, reach.x(), reach.y(), options) : std::nullopt;

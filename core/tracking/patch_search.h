@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "core/matching/measure.h"
+#include "core/matching/match_method.h"
 #include "core/tracking/epipolar_curve.h"
 #include "core/tracking/patch.h"
 #include "core/tracking/search_detail.h"
@@ -22,7 +22,7 @@ struct PatchMatch {
 };
 
 struct PatchSearchOptions {
-    Measure measure = Measure::zncc;
+    MatchMethod method;
     /// Standard deviation added to every match for what the patch's flatness leaves out.
     double floor_px = 0.03;
 };

@@ -18,8 +18,8 @@ struct SearchDetail {
     ScoreMap map;
     /// The template as it was drawn for this search.
     Eigen::Vector2i template_size_px = Eigen::Vector2i::Zero();
-    /// The sum of absolute differences that means no likeness at all; for Measure::sad only.
-    double unlike_sad = 1.0;
+    /// The cost that means no likeness at all; for measures that are costs.
+    double unlike_cost = 1.0;
     /// The epipolar curve of the match, from near to far, in the right picture.
     std::vector<Eigen::Vector2d> epipolar_px;
 
@@ -30,7 +30,7 @@ struct SearchDetail {
     }
     /// A score as a likeness in [0, 1], comparable between measures.
     double likeness(double score) const {
-        return std::clamp(measure == Measure::sad ? 1.0 - score / unlike_sad : score, 0.0, 1.0);
+        return std::clamp(is_cost(measure) ? 1.0 - score / unlike_cost : score, 0.0, 1.0);
     }
 };
 

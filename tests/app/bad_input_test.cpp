@@ -264,7 +264,9 @@ TEST_F(BadInputTest, MalformedPointsAndProfiles) {
                    "default");
     expect_refused({"simulate", "--out", "left"}, "not empty", "new folder");
     expect_refused({"match", "left/000000.png", "left/000001.png", "--measure", "ssd"}, "ssd",
-                   "sad, ncc or zncc");
+                   "sad, ncc, zncc or hamming");
+    expect_refused({"match", "left/000000.png", "left/000001.png", "--measure", "hamming"},
+                   "hamming", "census or sdog");
     expect_refused({"match", "left/000000.png", "left/000001.png", "--map", "map.png"}, ".tiff",
                    "end in .tiff");
     expect_refused({"convert", "rig.yaml", "--to", "paper", "out"}, "paper",

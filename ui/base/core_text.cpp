@@ -54,6 +54,8 @@ const char* const phrases[] = {
     QT_TRANSLATE_NOOP("core", "Choose a rectangle that lies wholly inside."),
     QT_TRANSLATE_NOOP("core", "The template %1 is too small to be followed."),
     QT_TRANSLATE_NOOP("core", "Choose at least 7 x 7 pixels; 21 x 21 is a good size."),
+    QT_TRANSLATE_NOOP("core", "The template %1 is too large to be followed."),
+    QT_TRANSLATE_NOOP("core", "Choose at most 255 x 255 pixels; 31 x 31 is a good size."),
     QT_TRANSLATE_NOOP("core",
                       "The template %1 has no texture: its grey levels vary by %2, noise "
                       "included."),

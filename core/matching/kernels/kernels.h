@@ -88,16 +88,24 @@ struct Kernels {
     void (*roll_columns)(const std::uint8_t* added, const std::uint8_t* removed, int count,
                          std::uint32_t* sums, std::uint32_t* squares) = nullptr;
 
-    /// out[x] = in[x] + ... + in[x + width - 1] modulo 2^32, for whole groups of columns. Reads
-    /// `in` and writes `scratch` up to width + 64 elements beyond that.
-    void (*window_sums)(const std::uint32_t* in, int width, int count, std::uint32_t* scratch,
-                        std::uint32_t* out) = nullptr;
+    /// costs[x] -= sums[x] + ... + sums[x + width - 1], for a small width and whole groups of
+    /// columns.
+    void (*take_off)(const std::uint32_t* sums, int width, int count,
+                     std::uint32_t* costs) = nullptr;
 
-    /// A row of correlations from dot products and the sums of values and squares under the
-    /// template. A flat patch, or a flat template, gives 0. Whole groups of columns.
+    /// out[0] = 0, out[x + 1] = out[x] + values[x], modulo 2^32: whole groups of columns, of both.
+    void (*prefix_sums)(const std::uint32_t* values, int count, std::uint32_t* out) = nullptr;
+
+    /// A row of correlations from dot products and the prefix sums of columns of values and squares
+    /// under a template of `width` columns. A flat patch, or a flat template, gives 0. Whole groups
+    /// of columns.
     void (*correlate)(const std::int32_t* dot, const std::uint32_t* sums,
-                      const std::uint32_t* squares, int count, const Normalisation&,
+                      const std::uint32_t* squares, int width, int count, const Normalisation&,
                       float* out) = nullptr;
+
+    /// The largest of `count` scores, and the smallest of `count` costs. At least one.
+    float (*largest)(const float* scores, int count) = nullptr;
+    std::uint32_t (*smallest)(const std::uint32_t* costs, int count) = nullptr;
 };
 
 /// The best implementation this processor can run; KAMBARA_KERNELS=scalar, sse4, avx2 or avx512 in

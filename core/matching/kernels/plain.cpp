@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The definitions, loop by loop: what every other implementation must equal.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -67,35 +68,49 @@ void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int co
     }
 }
 
-void window_sums(const std::uint32_t* in, int width, int count, std::uint32_t* /*scratch*/,
-                 std::uint32_t* out) {
+void take_off(const std::uint32_t* sums, int width, int count, std::uint32_t* costs) {
     for (int x = 0; x < count; ++x) {
-        std::uint32_t sum = 0;
         for (int i = 0; i < width; ++i) {
-            sum += in[x + i];
+            costs[x] -= sums[x + i];
         }
-        out[x] = sum;
+    }
+}
+
+void prefix_sums(const std::uint32_t* values, int count, std::uint32_t* out) {
+    out[0] = 0;
+    for (int x = 0; x < count; ++x) {
+        out[x + 1] = out[x] + values[x];
     }
 }
 
 void correlate(const std::int32_t* dots, const std::uint32_t* sums, const std::uint32_t* squares,
-               int count, const Normalisation& norm, float* out) {
+               int width, int count, const Normalisation& norm, float* out) {
     const auto template_factor = static_cast<float>(norm.template_squares);
     for (int x = 0; x < count; ++x) {
-        const double S = sums[x];
+        const double S = sums[x + width] - sums[x];
+        const double Q = squares[x + width] - squares[x];
         const double numerator =
             norm.zero_mean ? norm.count * dots[x] - S * norm.template_sum : dots[x] + 128.0 * S;
-        const double variance = norm.zero_mean ? norm.count * squares[x] - S * S : squares[x];
+        const double variance = norm.zero_mean ? norm.count * Q - S * S : Q;
         const float product = static_cast<float>(variance) * template_factor;
         const float score = static_cast<float>(numerator) / std::sqrt(product);
         out[x] = product > 0.0F ? std::fmin(std::fmax(score, -1.0F), 1.0F) : 0.0F;
     }
 }
 
+float largest(const float* scores, int count) {
+    return *std::max_element(scores, scores + count);
+}
+
+std::uint32_t smallest(const std::uint32_t* costs, int count) {
+    return *std::min_element(costs, costs + count);
+}
+
 }  // namespace
 
 const Kernels& plain_kernels() {
-    static const Kernels kernels{"scalar", dot, sad, hamming, roll_columns, window_sums, correlate};
+    static const Kernels kernels{"scalar", dot,         sad,       hamming, roll_columns,
+                                 take_off, prefix_sums, correlate, largest, smallest};
     return kernels;
 }
 

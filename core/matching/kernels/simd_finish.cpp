@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of columns and windows, and the step from integer sums to correlations.
+// Sums of columns, and the step from integer sums to correlations.
 #include "core/matching/kernels/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,13 +17,22 @@ void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int co
                   std::uint32_t* sums, std::uint32_t* squares) {
     plain_kernels().roll_columns(added, removed, count, sums, squares);
 }
-void window_sums(const std::uint32_t* in, int width, int count, std::uint32_t* scratch,
-                 std::uint32_t* out) {
-    plain_kernels().window_sums(in, width, count, scratch, out);
+void take_off(const std::uint32_t* sums, int width, int count, std::uint32_t* costs) {
+    plain_kernels().take_off(sums, width, count, costs);
+}
+void prefix_sums(const std::uint32_t* values, int count, std::uint32_t* out) {
+    plain_kernels().prefix_sums(values, count, out);
 }
 void correlate(const std::int32_t* dots, const std::uint32_t* sums, const std::uint32_t* squares,
-               int count, const Normalisation& norm, float* out) {
-    plain_kernels().correlate(dots, sums, squares, count, norm, out);
+               int width, int count, const Normalisation& norm, float* out) {
+    plain_kernels().correlate(dots, sums, squares, width, count, norm, out);
+}
+
+float largest(const float* scores, int count) {
+    return plain_kernels().largest(scores, count);
+}
+std::uint32_t smallest(const std::uint32_t* costs, int count) {
+    return plain_kernels().smallest(costs, count);
 }
 
 #else
@@ -58,32 +67,56 @@ void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int co
     }
 }
 
-// By doubling: sums over 1, 2, 4, ... columns, put together by the bits of the width.
-void window_sums(const std::uint32_t* in, int width, int count, std::uint32_t* scratch,
-                 std::uint32_t* out) {
+void take_off(const std::uint32_t* sums, int width, int count, std::uint32_t* costs) {
+    const DU32 d;
+    for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(d))) {
+        VU32 cost = hn::LoadU(d, costs + x);
+        for (int i = 0; i < width; ++i) {
+            cost = hn::Sub(cost, hn::LoadU(d, sums + x + i));
+        }
+        hn::StoreU(cost, d, costs + x);
+    }
+}
+
+// Sums from the first lane on, within each 128 bits, then across them.
+HWY_INLINE VU32 prefix_of(VU32 v) {
+    const DU32 d;
+    v = hn::Add(v, hn::ShiftLeftLanes<1>(v));
+    v = hn::Add(v, hn::ShiftLeftLanes<2>(v));
+#if HWY_TARGET == HWY_AVX3_DL || HWY_TARGET == HWY_AVX3
+    const __m512i none = _mm512_setzero_si512();
+    const VU32 totals = hn::Broadcast<3>(v);
+    VU32 before{_mm512_alignr_epi64(totals.raw, none, 6)};
+    before = hn::Add(before, VU32{_mm512_alignr_epi64(before.raw, none, 6)});
+    before = hn::Add(before, VU32{_mm512_alignr_epi64(before.raw, none, 4)});
+    return hn::Add(v, before);
+#elif HWY_TARGET == HWY_AVX2
+    return hn::Add(v, hn::ConcatLowerLower(d, hn::Broadcast<3>(v), hn::Zero(d)));
+#else
+    static_cast<void>(d);
+    return v;
+#endif
+}
+
+HWY_INLINE VU32 last_everywhere(VU32 v) {
+#if HWY_TARGET == HWY_AVX3_DL || HWY_TARGET == HWY_AVX3
+    return VU32{_mm512_permutexvar_epi32(_mm512_set1_epi32(15), v.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return VU32{_mm256_permutevar8x32_epi32(v.raw, _mm256_set1_epi32(7))};
+#else
+    return hn::Broadcast<3>(v);
+#endif
+}
+
+void prefix_sums(const std::uint32_t* values, int count, std::uint32_t* out) {
     const DU32 d;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    const std::uint32_t* of_span = in;  // sums over `span` columns
-    int covered = 0;
-    for (int span = 1; span <= width; span *= 2) {
-        if (span > 1) {
-            const int half = span / 2;
-            const int needed = count + width - covered;
-            for (int x = 0; x < needed; x += lanes) {
-                const VU32 sum =
-                    hn::Add(hn::LoadU(d, of_span + x), hn::LoadU(d, of_span + x + half));
-                hn::StoreU(sum, d, scratch + x);
-            }
-            of_span = scratch;
-        }
-        if ((width & span) != 0) {
-            const std::uint32_t* from = of_span + covered;
-            for (int x = 0; x < count; x += lanes) {
-                const VU32 part = hn::LoadU(d, from + x);
-                hn::StoreU(covered == 0 ? part : hn::Add(part, hn::LoadU(d, out + x)), d, out + x);
-            }
-            covered += span;
-        }
+    VU32 before = hn::Zero(d);
+    out[0] = 0;
+    for (int x = 0; x < count; x += lanes) {
+        const VU32 sums = prefix_of(hn::LoadU(d, values + x));
+        hn::StoreU(hn::Add(sums, before), d, out + x + 1);
+        before = hn::Add(before, last_everywhere(sums));
     }
 }
 
@@ -108,7 +141,7 @@ HWY_INLINE VF score_of(VF numerator, VF variance, VF template_factor) {
 constexpr double most_in_32_bits = 363.0;
 
 void correlate_small(const std::int32_t* dots, const std::uint32_t* sums,
-                     const std::uint32_t* squares, int count, const Normalisation& norm,
+                     const std::uint32_t* squares, int width, int count, const Normalisation& norm,
                      float* out) {
     const D32 d;
     const DU32 du;
@@ -118,8 +151,8 @@ void correlate_small(const std::int32_t* dots, const std::uint32_t* sums,
     const VF template_factor = hn::Set(df, static_cast<float>(norm.template_squares));
     for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(d))) {
         const V32 dot = hn::LoadU(d, dots + x);
-        const VU32 sum = hn::LoadU(du, sums + x);
-        const VU32 square = hn::LoadU(du, squares + x);
+        const VU32 sum = hn::Sub(hn::LoadU(du, sums + x + width), hn::LoadU(du, sums + x));
+        const VU32 square = hn::Sub(hn::LoadU(du, squares + x + width), hn::LoadU(du, squares + x));
         const V32 signed_sum = hn::BitCast(d, sum);
         VF numerator;
         VF variance;
@@ -148,7 +181,7 @@ HWY_INLINE VD double_of(hn::Vec<hn::RebindToUnsigned<DHalf> > value) {
 }
 
 void correlate_large(const std::int32_t* dots, const std::uint32_t* sums,
-                     const std::uint32_t* squares, int count, const Normalisation& norm,
+                     const std::uint32_t* squares, int width, int count, const Normalisation& norm,
                      float* out) {
     const DHalf half;
     const hn::RebindToUnsigned<DHalf> unsigned_half;
@@ -165,8 +198,10 @@ void correlate_large(const std::int32_t* dots, const std::uint32_t* sums,
     for (int x = 0; x < count; x += lanes) {
         for (int h = 0; h < lanes; h += lanes_half) {
             const VD dot = hn::PromoteTo(dd, hn::LoadU(half, dots + x + h));
-            const VD sum = double_of(hn::LoadU(unsigned_half, sums + x + h));
-            const VD square = double_of(hn::LoadU(unsigned_half, squares + x + h));
+            const VD sum = double_of(hn::Sub(hn::LoadU(unsigned_half, sums + x + h + width),
+                                             hn::LoadU(unsigned_half, sums + x + h)));
+            const VD square = double_of(hn::Sub(hn::LoadU(unsigned_half, squares + x + h + width),
+                                                hn::LoadU(unsigned_half, squares + x + h)));
             VD numerator;
             VD variance;
             if (norm.zero_mean) {
@@ -185,12 +220,50 @@ void correlate_large(const std::int32_t* dots, const std::uint32_t* sums,
 }
 
 void correlate(const std::int32_t* dots, const std::uint32_t* sums, const std::uint32_t* squares,
-               int count, const Normalisation& norm, float* out) {
+               int width, int count, const Normalisation& norm, float* out) {
     if (norm.count <= most_in_32_bits) {
-        correlate_small(dots, sums, squares, count, norm, out);
+        correlate_small(dots, sums, squares, width, count, norm, out);
     } else {
-        correlate_large(dots, sums, squares, count, norm, out);
+        correlate_large(dots, sums, squares, width, count, norm, out);
     }
+}
+
+float largest(const float* scores, int count) {
+    const DF d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    float best = scores[0];
+    if (count >= lanes) {
+        VF most = hn::LoadU(d, scores);
+        for (int x = lanes; x + lanes <= count; x += lanes) {
+            most = hn::Max(most, hn::LoadU(d, scores + x));
+        }
+        most = hn::Max(most, hn::LoadU(d, scores + count - lanes));
+        best = hn::GetLane(hn::MaxOfLanes(d, most));
+    } else {
+        for (int x = 1; x < count; ++x) {
+            best = scores[x] > best ? scores[x] : best;
+        }
+    }
+    return best;
+}
+
+std::uint32_t smallest(const std::uint32_t* costs, int count) {
+    const DU32 d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    std::uint32_t best = costs[0];
+    if (count >= lanes) {
+        VU32 least = hn::LoadU(d, costs);
+        for (int x = lanes; x + lanes <= count; x += lanes) {
+            least = hn::Min(least, hn::LoadU(d, costs + x));
+        }
+        least = hn::Min(least, hn::LoadU(d, costs + count - lanes));
+        best = hn::GetLane(hn::MinOfLanes(d, least));
+    } else {
+        for (int x = 1; x < count; ++x) {
+            best = costs[x] < best ? costs[x] : best;
+        }
+    }
+    return best;
 }
 
 #endif
@@ -203,13 +276,19 @@ HWY_AFTER_NAMESPACE();
 namespace kambara {
 
 HWY_EXPORT(roll_columns);
-HWY_EXPORT(window_sums);
+HWY_EXPORT(take_off);
+HWY_EXPORT(prefix_sums);
 HWY_EXPORT(correlate);
+HWY_EXPORT(largest);
+HWY_EXPORT(smallest);
 
 void use_simd_finish(Kernels& kernels) {
     const std::size_t target = hwy::GetChosenTarget().GetIndex();
     kernels.roll_columns = HWY_DISPATCH_TABLE(roll_columns)[target];
-    kernels.window_sums = HWY_DISPATCH_TABLE(window_sums)[target];
+    kernels.take_off = HWY_DISPATCH_TABLE(take_off)[target];
+    kernels.prefix_sums = HWY_DISPATCH_TABLE(prefix_sums)[target];
+    kernels.largest = HWY_DISPATCH_TABLE(largest)[target];
+    kernels.smallest = HWY_DISPATCH_TABLE(smallest)[target];
     kernels.correlate = HWY_DISPATCH_TABLE(correlate)[target];
 }
 

@@ -91,13 +91,13 @@ TEST(ScoreMap, AgreesWithTheDefinitionsOnRandomPictures) {
 }
 
 TEST(ScoreMap, SumsOfALargeBrightTemplateDoNotOverflow) {
-    const Image image(300, 300, 1, 255);
-    Image templ(280, 290, 1, 255);
+    const Image image(300, 300, 3, 255);
+    Image templ(255, 255, 3, 255);
     templ.at(0, 0) = 254;
     const ScoreMap map = score_map(Measure::ncc, image, templ, all_positions(image, templ));
     EXPECT_NEAR(map.at(3, 4), by_definition(Measure::ncc, image, templ, 3, 4), 1e-6);
-    const Image dark(300, 300, 1, 0);
-    EXPECT_EQ(score_at(Measure::sad, dark, templ, 0, 0), 280.0 * 290.0 * 255.0 - 1.0);
+    const Image dark(300, 300, 3, 0);
+    EXPECT_EQ(score_at(Measure::sad, dark, templ, 0, 0), 3.0 * 255.0 * 255.0 * 255.0 - 1.0);
 }
 
 TEST(ScoreMap, AFlatPatchIsNoMatchAndNeverNotANumber) {
@@ -202,7 +202,8 @@ TEST(Measure, NamesAreReadAndOthersRefused) {
     for (const Measure measure : {Measure::sad, Measure::ncc, Measure::zncc}) {
         EXPECT_EQ(*parse_measure(to_string(measure)), measure);
     }
-    EXPECT_NE(parse_measure("ssd").error().text().find("sad, ncc or zncc"), std::string::npos);
+    EXPECT_NE(parse_measure("ssd").error().text().find("sad, ncc, zncc or hamming"),
+              std::string::npos);
 }
 
 }  // namespace

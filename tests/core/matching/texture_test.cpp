@@ -75,7 +75,8 @@ TEST(MatchCovariance, TellsTheScatterOfNoisyMatches) {
             }
         }
         squares += (ge / gg) * (ge / gg);
-        predicted += match_covariance_px2(image, templ, 10, 10, 0.0)(0, 0);
+        predicted += match_covariance_px2(image, templ, {0, 0, templ.width(), templ.height()}, 10,
+                                          10, 0.0)(0, 0);
     }
     // The picture's own noise adds to its gradients, so the prediction is a little low.
     EXPECT_NEAR(std::sqrt(predicted / squares), 1.0, 0.2);
