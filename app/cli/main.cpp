@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 
+#include "app/cli/bench_command.h"
 #include "app/cli/calibrate_command.h"
 #include "app/cli/convert_command.h"
 #include "app/cli/live_command.h"
@@ -129,6 +130,13 @@ void add_live(CLI::App& app, Chosen& chosen, LiveOptions& o) {
     c->callback([&] { chosen.run = [&o] { return run_live(o); }; });
 }
 
+void add_bench(CLI::App& app, Chosen& chosen, BenchOptions& o) {
+    CLI::App* c = app.add_subcommand("bench", "Measure the speed, with OpenCV beside it");
+    c->add_option("what", o.what, "correlation")->capture_default_str();
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_bench(o); }; });
+}
+
 int finish(const Outcome& outcome, const std::string& json) {
     if (json == "-") {
         std::cout << outcome.json << '\n';
@@ -162,6 +170,7 @@ int main(int argc, char** argv) {
     TriangulateOptions triangulate;
     SimulateOptions simulate;
     LiveOptions live;
+    BenchOptions bench;
     add_calibrate(app, chosen, calibrate);
     add_track(app, chosen, track);
     add_triangulate(app, chosen, triangulate);
@@ -169,6 +178,7 @@ int main(int argc, char** argv) {
     add_convert(app, chosen, convert);
     add_simulate(app, chosen, simulate);
     add_live(app, chosen, live);
+    add_bench(app, chosen, bench);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

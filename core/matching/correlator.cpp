@@ -82,6 +82,7 @@ void Correlator::set_template(Measure measure, const Image& templ, const Image* 
     width_ = (templ.width() + step - 1) / step;
     height_ = (templ.height() + step - 1) / step;
     masked_ = mask != nullptr;
+    spectral_known_ = false;
     if (measure == Measure::hamming) {
         pack_bits(templ, mask);
     } else {
@@ -234,7 +235,10 @@ void Correlator::scan(int columns, int rows, int first_x, int first_y, ScoreMap&
     const auto line = static_cast<std::size_t>(whole_groups(columns) +
                                                2 * whole_groups(width_ + 3) + kernel_columns);
     make_room(costs_, cost ? strip : 0);
-    make_room(dots_, strip);
+    spectral_ = !cost && !by_products_ &&
+                (way_ == Way::spectrum ||
+                 (way_ == Way::quickest && SpectralDot::pays(packed_, columns, rows)));
+    make_room(dots_, spectral_ ? static_cast<std::size_t>(block.stride * rows) : strip);
     make_room(wide_, by_products_ ? 3 * strip : 0);
     make_room(scores_, cost ? 0 : strip);
     for (auto* vector : {&sums_, &squares_, &column_sums_, &column_squares_}) {
@@ -242,6 +246,13 @@ void Correlator::scan(int columns, int rows, int first_x, int first_y, ScoreMap&
     }
     if (by_products_) {
         load_squares();
+    }
+    if (spectral_) {
+        if (!spectral_known_) {
+            spectral_dot_.set_template(packed_);
+            spectral_known_ = true;
+        }
+        spectral_dot_.dot(planes_, {columns, rows, block.stride}, dots_.data());
     }
     for (int row = 0; row < rows; row += strip_rows) {
         block.rows = std::min(strip_rows, rows - row);

@@ -9,6 +9,7 @@
 #include "core/matching/kernels/kernels.h"
 #include "core/matching/measure.h"
 #include "core/matching/score_map.h"
+#include "core/matching/spectral_dot.h"
 
 namespace kambara {
 
@@ -18,6 +19,10 @@ namespace kambara {
 class Correlator {
   public:
     explicit Correlator(const Kernels& kernels = best_kernels());
+
+    /// How products with large templates are made; the result is the same.
+    enum class Way { quickest, kernels, spectrum };
+    void set_way(Way way) { way_ = way; }
 
     /// Pictures to come must have the template's number of channels (1 or 3; bit pictures for
     /// Measure::hamming, see transform.h). 3 x 3 to 255 x 255 pixels. With a mask, of the same size
@@ -51,13 +56,17 @@ class Correlator {
     int height_ = 0;
     int channels_ = 1;
     int step_ = 1;
+    Way way_ = Way::quickest;
     bool masked_ = false;
     bool by_products_ = false;
+    bool spectral_ = false;        // the region at hand is better searched through the spectrum
+    bool spectral_known_ = false;  // the template's spectrum is that of this template
     PackedTemplate packed_;
     std::vector<PackedTemplate> of_planes_;  // for correlations by products of single planes
     PackedTemplate inside_;                  // 1 where the mask lets a pixel count
     PackedTemplate outside_;                 // 1 where it does not, the padding included
     Normalisation normalisation_;
+    SpectralDot spectral_dot_;
 
     Planes planes_;                     // in pixels_
     std::vector<std::uint8_t> pixels_;  // planar, rows with slack

@@ -54,15 +54,20 @@ void Correlator::score_sads(const Block& block, int row) {
 }
 
 void Correlator::score_correlations(const Block& block, int row) {
-    kernels_->dot(planes_from(row), packed_, block, dots_.data());
+    const std::int32_t* dots = dots_.data();
+    if (spectral_) {
+        dots += row * block.stride;
+    } else {
+        kernels_->dot(planes_from(row), packed_, block, dots_.data());
+    }
     const int columns = whole_groups(block.columns);
     const int summed = whole_groups(block.columns + width_ - 1);
     for (int y = 0; y < block.rows; ++y) {
         roll_to(row + y, 0, summed);
         kernels_->prefix_sums(column_sums_.data(), summed, sums_.data());
         kernels_->prefix_sums(column_squares_.data(), summed, squares_.data());
-        kernels_->correlate(dots_.data() + y * block.stride, sums_.data(), squares_.data(), width_,
-                            columns, normalisation_, scores_.data() + y * block.stride);
+        kernels_->correlate(dots + y * block.stride, sums_.data(), squares_.data(), width_, columns,
+                            normalisation_, scores_.data() + y * block.stride);
     }
 }
 

@@ -103,6 +103,10 @@ struct Kernels {
                       const std::uint32_t* squares, int width, int count, const Normalisation&,
                       float* out) = nullptr;
 
+    /// As many independent multiply-adds as the unit can do, from registers only, in so many
+    /// rounds: what `dot` is measured by. Returns how many of them it did.
+    double (*multiply_add_at_best)(int rounds) = nullptr;
+
     /// The largest of `count` scores, and the smallest of `count` costs. At least one.
     float (*largest)(const float* scores, int count) = nullptr;
     std::uint32_t (*smallest)(const std::uint32_t* costs, int count) = nullptr;

@@ -21,6 +21,10 @@ void dot(const Planes& image, const PackedTemplate& templ, const Block& block, s
     plain_kernels().dot(image, templ, block, out);
 }
 
+double multiply_add_at_best(int rounds) {
+    return plain_kernels().multiply_add_at_best(rounds);
+}
+
 #else
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -195,6 +199,27 @@ void dot(const Planes& image, const PackedTemplate& templ, const Block& block, s
     }
 }
 
+double multiply_add_at_best(int rounds) {
+    constexpr int chains = 12;
+    V32 sums[chains];
+    for (V32& sum : sums) {
+        sum = hn::Zero(D32());
+    }
+    V32 image = hn::Set(D32(), 0x01020304);
+    const V32 templ = hn::Set(D32(), 0x04030201);
+    for (int i = 0; i < rounds; ++i) {
+        for (V32& sum : sums) {
+            sum = add_products(sum, image, templ);
+        }
+    }
+    for (const V32& sum : sums) {
+        image = hn::Add(image, sum);
+    }
+    volatile std::int32_t used = hn::GetLane(image);
+    static_cast<void>(used);
+    return static_cast<double>(rounds) * chains * group * static_cast<double>(hn::Lanes(D32()));
+}
+
 #endif
 
 }  // namespace HWY_NAMESPACE
@@ -205,9 +230,12 @@ HWY_AFTER_NAMESPACE();
 namespace kambara {
 
 HWY_EXPORT(dot);
+HWY_EXPORT(multiply_add_at_best);
 
 void use_simd_dot(Kernels& kernels) {
-    kernels.dot = HWY_DISPATCH_TABLE(dot)[hwy::GetChosenTarget().GetIndex()];
+    const std::size_t target = hwy::GetChosenTarget().GetIndex();
+    kernels.dot = HWY_DISPATCH_TABLE(dot)[target];
+    kernels.multiply_add_at_best = HWY_DISPATCH_TABLE(multiply_add_at_best)[target];
 }
 
 }  // namespace kambara

@@ -201,6 +201,42 @@ TEST_P(CorrelatorTest, GivesTheSameBitsAsThePlainLoops) {
     }
 }
 
+TEST(Correlator, ThroughTheSpectrumTheSameBitsComeOut) {
+    std::mt19937 random(9);
+    for (int round = 0; round < 24; ++round) {
+        const auto content = static_cast<Content>(round % 5);
+        Case c = random_case(random, content, round % 4 == 0 ? 3 : 1, round % 2 == 0);
+        if (c.templ.channels() == 3 && c.templ.width() * c.templ.height() > 20000) {
+            continue;
+        }
+        for (const Measure measure : {Measure::ncc, Measure::zncc}) {
+            ScoreMap maps[2];
+            for (int i = 0; i < 2; ++i) {
+                Correlator correlator;
+                correlator.set_way(i == 0 ? Correlator::Way::spectrum : Correlator::Way::kernels);
+                correlator.set_template(measure, c.templ, nullptr, c.step);
+                correlator.scores(c.picture, {0, 0, 5000, 5000}, maps[i]);
+            }
+            ASSERT_EQ(maps[0].scores, maps[1].scores) << c.templ.width() << "x" << c.templ.height();
+        }
+    }
+}
+
+// A picture wide enough for several tiles.
+TEST(Correlator, TheSpectrumsTilesFitTogether) {
+    std::mt19937 random(10);
+    const Image picture = picture_of(Content::saturated, random, 1500, 900, 1);
+    const Image templ = picture_of(Content::saturated, random, 127, 90, 1);
+    ScoreMap maps[2];
+    for (int i = 0; i < 2; ++i) {
+        Correlator correlator;
+        correlator.set_way(i == 0 ? Correlator::Way::spectrum : Correlator::Way::kernels);
+        correlator.set_template(Measure::zncc, templ);
+        correlator.scores(picture, {0, 0, 5000, 5000}, maps[i]);
+    }
+    EXPECT_EQ(maps[0].scores, maps[1].scores);
+}
+
 TEST(Correlator, AFlatPatchScoresNothing) {
     const Image picture(40, 30, 1, 77);
     std::mt19937 random(3);
