@@ -157,8 +157,8 @@ BenchRow rank_row() {
 }
 
 void signs_with_opencv(const cv::Mat& grey, cv::Mat& less, cv::Mat& more, cv::Mat& signs) {
-    cv::GaussianBlur(grey, less, cv::Size(7, 7), 1.0);
-    cv::GaussianBlur(grey, more, cv::Size(13, 13), 2.0);
+    cv::GaussianBlur(grey, less, cv::Size(5, 5), 0.8);
+    cv::GaussianBlur(grey, more, cv::Size(9, 9), 1.6);
     cv::compare(less, more, signs, cv::CMP_GT);
 }
 

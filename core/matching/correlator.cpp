@@ -6,6 +6,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "core/matching/kernels/transform_rows.h"
+
 namespace kambara {
 namespace {
 
@@ -165,17 +167,17 @@ void Correlator::load(const Image& picture, const Rectangle& region, int first_x
               static_cast<std::size_t>(planes_.plane_stride * channels_) + kernel_row_slack);
     planes_.pixels = pixels_.data();
     for (int y = 0; y < lines; ++y) {
-        const std::uint8_t* from =
-            picture.row(region.y + first_y + y * step_) + (region.x + first_x) * channels_;
-        for (int c = 0; c < channels_; ++c) {
-            std::uint8_t* to = pixels_.data() + c * planes_.plane_stride + y * planes_.stride;
+        const std::uint8_t* from = picture.row(region.y + first_y + y * step_) +
+                                   static_cast<std::ptrdiff_t>(region.x + first_x) * channels_;
+        std::uint8_t* to = pixels_.data() + y * planes_.stride;
+        if (channels_ == 3 && step_ == 1) {
+            transform_rows().split(from, bytes, to, to + planes_.plane_stride,
+                                   to + 2 * planes_.plane_stride);
+        }
+        for (int c = 0; c < channels_; ++c, to += planes_.plane_stride) {
             if (channels_ == 1 && step_ == 1) {
                 std::memcpy(to, from, static_cast<std::size_t>(bytes));
-            } else if (channels_ == 3 && step_ == 1) {
-                for (int x = 0; x < bytes; ++x) {
-                    to[x] = from[3 * x + c];
-                }
-            } else {
+            } else if (step_ != 1) {
                 for (int x = 0; x < bytes; ++x) {
                     to[x] = from[x * step_ * channels_ + c];
                 }

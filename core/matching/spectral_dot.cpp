@@ -14,6 +14,7 @@ namespace kambara {
 namespace {
 
 constexpr std::size_t most_plans = 8;
+constexpr int least_pixels = 400;
 
 // Sizes of which the transform is fast: products of 2, 3 and 5.
 constexpr std::array sizes{64, 80, 96, 128, 160, 192, 240, 256, 320, 384, 400, 480, 512, 576, 640};
@@ -195,6 +196,9 @@ void SpectralDot::dot(const Planes& image, const Block& block, std::int32_t* out
 }
 
 bool SpectralDot::pays(const PackedTemplate& templ, int columns, int rows) {
+    if (templ.width * templ.height < least_pixels) {
+        return false;  // on no processor
+    }
     const auto direct_work = [](const PackedTemplate& t, int across, int down) {
         return static_cast<double>(t.padded_width) * t.height * t.planes * whole_groups(across) *
                down;

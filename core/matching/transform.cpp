@@ -24,13 +24,14 @@ constexpr std::array<std::pair<Transform, const char*>, 7> names{{
     {Transform::gradient, "gradient"},
 }};
 
-constexpr int narrow_radius = 3;
-constexpr int wide_radius = 6;
+constexpr int smooth_radius = 3;
+constexpr int narrow_radius = 2;
+constexpr int wide_radius = 4;
 
 // A Gaussian of the given sigma in whole numbers: the middle one, then to one side; the sum over
 // both sides is 256.
 template <int RADIUS>
-std::array<std::uint16_t, RADIUS + 1> gaussian_weights(double sigma_px) {
+std::array<std::int16_t, RADIUS + 1> gaussian_weights(double sigma_px) {
     std::array<double, RADIUS + 1> exact{};
     double sum = 0.0;
     for (std::size_t i = 0; i <= RADIUS; ++i) {
@@ -38,80 +39,79 @@ std::array<std::uint16_t, RADIUS + 1> gaussian_weights(double sigma_px) {
         exact[i] = std::exp(-0.5 * t * t);
         sum += i == 0 ? exact[i] : 2.0 * exact[i];
     }
-    std::array<std::uint16_t, RADIUS + 1> weights{};
+    std::array<std::int16_t, RADIUS + 1> weights{};
     int rest = 256;
     for (std::size_t i = RADIUS; i > 0; --i) {
-        weights[i] = static_cast<std::uint16_t>(std::lround(256.0 * exact[i] / sum));
+        weights[i] = static_cast<std::int16_t>(std::lround(256.0 * exact[i] / sum));
         rest -= 2 * weights[i];
     }
-    weights[0] = static_cast<std::uint16_t>(rest);
+    weights[0] = static_cast<std::int16_t>(rest);
     return weights;
 }
 
-const std::array<std::uint16_t, narrow_radius + 1>& narrow() {
-    static const auto weights = gaussian_weights<narrow_radius>(1.0);
-    return weights;
-}
-const std::array<std::uint16_t, wide_radius + 1>& wide() {
-    static const auto weights = gaussian_weights<wide_radius>(2.0);
-    return weights;
-}
-
-// Rows smoothed along, as far up and down as the smoothing across needs, then across: row after
-// row of sums that are 65536 times the grey level.
-class Smoother {
+// The rows about the one at hand, each smoothed along once and kept while it is needed.
+template <int RADIUS>
+class RowsAlong {
   public:
-    Smoother(const Image& picture, const Rectangle& region, const std::uint16_t* weights,
-             int radius)
-        : weights_(weights), radius_(radius), width_(region.width) {
-        const auto& rows = transform_rows();
-        along_.resize(static_cast<std::size_t>(region.width) *
-                      static_cast<std::size_t>(region.height + 2 * radius));
-        sums_.resize(static_cast<std::size_t>(region.width));
-        for (int y = -radius; y < region.height + radius; ++y) {
-            rows.smooth_along(picture.row(region.y + y) + region.x, weights, radius, region.width,
-                              along_.data() + (y + radius) * region.width);
+    RowsAlong(double sigma_px, const Image& picture, const Rectangle& region)
+        : weights_(gaussian_weights<RADIUS>(sigma_px)), picture_(picture), region_(region) {
+        if (kept().size() < static_cast<std::size_t>(rows_kept * stride())) {
+            kept().resize(static_cast<std::size_t>(rows_kept * stride()));
+        }
+        for (int y = -RADIUS; y < RADIUS; ++y) {
+            add(y);
         }
     }
 
-    const std::uint32_t* row(int y) {
-        std::array<const std::uint16_t*, 2 * wide_radius + 1> about{};
-        for (int j = 0; j <= 2 * radius_; ++j) {
-            about[static_cast<std::size_t>(j)] = along_.data() + (y + j) * width_;
+    /// The rows about y; to be asked for one row after the other.
+    const std::int16_t* const* about(int y) {
+        add(y + RADIUS);
+        for (int j = -RADIUS; j <= RADIUS; ++j) {
+            about_[static_cast<std::size_t>(j + RADIUS)] = place(y + j);
         }
-        transform_rows().smooth_across(about.data(), weights_, radius_, width_, sums_.data());
-        return sums_.data();
+        return about_.data();
     }
+    const std::int16_t* weights() const { return weights_.data(); }
 
   private:
-    const std::uint16_t* weights_;
-    int radius_;
-    int width_;
-    std::vector<std::uint16_t> along_;
-    std::vector<std::uint32_t> sums_;
+    static constexpr int rows_kept = 2 * RADIUS + 1;
+
+    static std::vector<std::int16_t>& kept() {
+        thread_local std::vector<std::int16_t> rows;
+        return rows;
+    }
+    int stride() const { return region_.width + 64; }
+    std::int16_t* place(int y) const { return kept().data() + (y + RADIUS) % rows_kept * stride(); }
+    void add(int y) const {
+        transform_rows().smooth_along(picture_.row(region_.y + y) + region_.x, weights_.data(),
+                                      RADIUS, region_.width, place(y));
+    }
+
+    const std::array<std::int16_t, RADIUS + 1> weights_;
+    const Image& picture_;
+    const Rectangle region_;
+    std::array<const std::int16_t*, rows_kept> about_{};
 };
 
 void smooth(const Image& picture, const Rectangle& region, Image& out) {
-    Smoother smoother(picture, region, narrow().data(), narrow_radius);
+    RowsAlong<smooth_radius> rows(1.0, picture, region);
+    std::vector<std::int32_t> sums(static_cast<std::size_t>(region.width));
     for (int y = 0; y < region.height; ++y) {
-        const std::uint32_t* sums = smoother.row(y);
+        transform_rows().smooth_across(rows.about(y), rows.weights(), smooth_radius, region.width,
+                                       sums.data());
         std::uint8_t* to = out.row(y);
-        for (int x = 0; x < region.width; ++x) {
-            to[x] = static_cast<std::uint8_t>((sums[x] + 32768U) >> 16U);
+        for (std::size_t x = 0; x < sums.size(); ++x) {
+            to[x] = static_cast<std::uint8_t>((sums[x] + 8192) >> 14);
         }
     }
 }
 
 void sign_of_difference(const Image& picture, const Rectangle& region, Image& out) {
-    Smoother less(picture, region, narrow().data(), narrow_radius);
-    Smoother more(picture, region, wide().data(), wide_radius);
+    RowsAlong<narrow_radius> less(0.8, picture, region);
+    RowsAlong<wide_radius> more(1.6, picture, region);
     for (int y = 0; y < region.height; ++y) {
-        const std::uint32_t* a = less.row(y);
-        const std::uint32_t* b = more.row(y);
-        std::uint8_t* to = out.row(y);
-        for (int x = 0; x < region.width; ++x) {
-            to[x] = a[x] > b[x] ? 1 : 0;
-        }
+        transform_rows().larger_across(less.about(y), less.weights(), more.about(y), more.weights(),
+                                       region.width, out.row(y));
     }
 }
 
@@ -148,7 +148,7 @@ int margin_px(Transform transform) {
         case Transform::none:
             break;
         case Transform::gaussian:
-            return narrow_radius;
+            return smooth_radius;
         case Transform::rank3:
         case Transform::gradient:
             return 1;

@@ -17,7 +17,7 @@ enum class Transform {
     rank3,     ///< how many of the 8 neighbours are darker
     rank5,     ///< how many of the 24 neighbours within 2 px are darker
     census,    ///< which of these 24 are darker: a bit each, in 3 channels
-    sdog,  ///< 1 where the picture smoothed by 1 px is brighter than that smoothed by 2 px, else 0
+    sdog,      ///< 1 where the picture smoothed by 0.8 px is brighter than by 1.6 px, else 0
     gradient,  ///< magnitude of the Sobel gradient, a quarter of it, at most 255
 };
 

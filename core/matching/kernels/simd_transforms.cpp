@@ -107,33 +107,140 @@ void gradient(const std::uint8_t* const* rows, int count, std::uint8_t* HWY_REST
     }
 }
 
-void smooth_along(const std::uint8_t* row, const std::uint16_t* weights, int radius, int count,
-                  std::uint16_t* HWY_RESTRICT out) {
-    for (int x = 0; x < count; ++x) {
-        out[x] = static_cast<std::uint16_t>(weights[0] * row[x]);
-    }
-    for (int i = 1; i <= radius; ++i) {
-        const std::uint16_t weight = weights[i];
-        for (int x = 0; x < count; ++x) {
-            const auto both = static_cast<std::uint16_t>(row[x - i] + row[x + i]);
-            out[x] = static_cast<std::uint16_t>(out[x] + static_cast<std::uint16_t>(weight * both));
+void smooth_along(const std::uint8_t* row, const std::int16_t* weights, int radius, int count,
+                  std::int16_t* HWY_RESTRICT out) {
+    constexpr int block = 512;
+    std::uint16_t sums[block];
+    for (int start = 0; start < count; start += block) {
+        const int n = std::min(block, count - start);
+        const std::uint8_t* from = row + start;
+        const auto middle = static_cast<std::uint16_t>(weights[0]);
+        for (int x = 0; x < n; ++x) {
+            sums[x] = static_cast<std::uint16_t>(middle * from[x]);
+        }
+        for (int i = 1; i <= radius; ++i) {
+            const auto weight = static_cast<std::uint16_t>(weights[i]);
+            for (int x = 0; x < n; ++x) {
+                const auto both = static_cast<std::uint16_t>(from[x - i] + from[x + i]);
+                sums[x] =
+                    static_cast<std::uint16_t>(sums[x] + static_cast<std::uint16_t>(weight * both));
+            }
+        }
+        for (int x = 0; x < n; ++x) {
+            out[start + x] = static_cast<std::int16_t>(sums[x] >> 2U);
         }
     }
 }
 
-void smooth_across(const std::uint16_t* const* rows, const std::uint16_t* weights, int radius,
-                   int count, std::uint32_t* HWY_RESTRICT out) {
-    const std::uint16_t* centre = rows[radius];
+void smooth_across(const std::int16_t* const* rows, const std::int16_t* weights, int radius,
+                   int count, std::int32_t* HWY_RESTRICT out) {
+    const std::int16_t* centre = rows[radius];
     for (int x = 0; x < count; ++x) {
-        out[x] = static_cast<std::uint32_t>(weights[0]) * centre[x];
+        out[x] = weights[0] * centre[x];
     }
     for (int j = 1; j <= radius; ++j) {
-        const std::uint16_t* above = rows[radius - j];
-        const std::uint16_t* below = rows[radius + j];
-        const std::uint32_t weight = weights[j];
+        const std::int16_t* above = rows[radius - j];
+        const std::int16_t* below = rows[radius + j];
+        const int weight = weights[j];
         for (int x = 0; x < count; ++x) {
-            out[x] += weight * (static_cast<std::uint32_t>(above[x]) + below[x]);
+            out[x] += weight * (above[x] + below[x]);
         }
+    }
+}
+
+// One position of what larger_across does.
+HWY_INLINE std::uint8_t larger_at(const std::int16_t* const* five, const std::int16_t* w5,
+                                  const std::int16_t* const* nine, const std::int16_t* w9, int x) {
+    int difference = w5[0] * five[2][x] - w9[0] * nine[4][x];
+    for (int j = 1; j <= 2; ++j) {
+        difference += w5[j] * (five[2 - j][x] + five[2 + j][x]);
+    }
+    for (int j = 1; j <= 4; ++j) {
+        difference -= w9[j] * (nine[4 - j][x] + nine[4 + j][x]);
+    }
+    return difference > 0 ? 1 : 0;
+}
+
+void larger_across(const std::int16_t* const* five, const std::int16_t* w5,
+                   const std::int16_t* const* nine, const std::int16_t* w9, int count,
+                   std::uint8_t* HWY_RESTRICT out) {
+    int x = 0;
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+    // Eight terms: symmetric rows are added first, then pairs of terms multiplied and added at
+    // once.
+    namespace hn = hwy::HWY_NAMESPACE;
+    const hn::ScalableTag<std::int16_t> d;
+    const hn::RepartitionToWide<decltype(d)> d32;
+    const hn::Rebind<std::uint8_t, decltype(d)> bytes;
+    using V = hn::Vec<decltype(d)>;
+    using V32 = hn::Vec<decltype(d32)>;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const std::int16_t factors[8] = {w5[0],
+                                     w5[1],
+                                     w5[2],
+                                     static_cast<std::int16_t>(-w9[0]),
+                                     static_cast<std::int16_t>(-w9[1]),
+                                     static_cast<std::int16_t>(-w9[2]),
+                                     static_cast<std::int16_t>(-w9[3]),
+                                     static_cast<std::int16_t>(-w9[4])};
+    V weights[4];
+    for (int k = 0; k < 4; ++k) {
+        std::int32_t pair;
+        std::memcpy(&pair, factors + 2 * k, sizeof(pair));
+        weights[k] = hn::BitCast(d, hn::Set(d32, pair));
+    }
+    for (; x + lanes <= count; x += lanes) {
+        const V terms[8] = {hn::LoadU(d, five[2] + x),
+                            hn::Add(hn::LoadU(d, five[1] + x), hn::LoadU(d, five[3] + x)),
+                            hn::Add(hn::LoadU(d, five[0] + x), hn::LoadU(d, five[4] + x)),
+                            hn::LoadU(d, nine[4] + x),
+                            hn::Add(hn::LoadU(d, nine[3] + x), hn::LoadU(d, nine[5] + x)),
+                            hn::Add(hn::LoadU(d, nine[2] + x), hn::LoadU(d, nine[6] + x)),
+                            hn::Add(hn::LoadU(d, nine[1] + x), hn::LoadU(d, nine[7] + x)),
+                            hn::Add(hn::LoadU(d, nine[0] + x), hn::LoadU(d, nine[8] + x))};
+        V32 low = hn::Zero(d32);
+        V32 high = hn::Zero(d32);
+        V32 unused = hn::Zero(d32);
+        for (int k = 0; k < 4; ++k) {
+            const V a = terms[2 * k];
+            const V b = terms[2 * k + 1];
+            low = hn::ReorderWidenMulAccumulate(d32, hn::InterleaveLower(d, a, b), weights[k], low,
+                                                unused);
+            high = hn::ReorderWidenMulAccumulate(d32, hn::InterleaveUpper(d, a, b), weights[k],
+                                                 high, unused);
+        }
+        // Packing undoes the interleaving: both work within 128 bits. Clamped, the sign stays.
+        const V difference = hn::ReorderDemote2To(d, low, high);
+        const V larger = hn::IfThenElseZero(hn::Gt(difference, hn::Zero(d)), hn::Set(d, 1));
+        hn::StoreU(hn::DemoteTo(bytes, larger), bytes, out + x);
+    }
+#endif
+    for (; x < count; ++x) {
+        out[x] = larger_at(five, w5, nine, w9, x);
+    }
+}
+
+void split(const std::uint8_t* pixels, int count, std::uint8_t* HWY_RESTRICT first,
+           std::uint8_t* HWY_RESTRICT second, std::uint8_t* HWY_RESTRICT third) {
+    int x = 0;
+#if HWY_TARGET != HWY_SCALAR
+    namespace hn = hwy::HWY_NAMESPACE;
+    const hn::ScalableTag<std::uint8_t> d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (; x + lanes <= count; x += lanes) {
+        hn::Vec<decltype(d)> a;
+        hn::Vec<decltype(d)> b;
+        hn::Vec<decltype(d)> c;
+        hn::LoadInterleaved3(d, pixels + 3 * x, a, b, c);
+        hn::StoreU(a, d, first + x);
+        hn::StoreU(b, d, second + x);
+        hn::StoreU(c, d, third + x);
+    }
+#endif
+    for (; x < count; ++x) {
+        first[x] = pixels[3 * x];
+        second[x] = pixels[3 * x + 1];
+        third[x] = pixels[3 * x + 2];
     }
 }
 
@@ -151,13 +258,16 @@ HWY_EXPORT(census);
 HWY_EXPORT(gradient);
 HWY_EXPORT(smooth_along);
 HWY_EXPORT(smooth_across);
+HWY_EXPORT(larger_across);
+HWY_EXPORT(split);
 
 TransformRows best_rows() {
     static_cast<void>(best_kernels());  // which sets the target
     const std::size_t target = hwy::GetChosenTarget().GetIndex();
-    return {HWY_DISPATCH_TABLE(rank3)[target],        HWY_DISPATCH_TABLE(rank5)[target],
-            HWY_DISPATCH_TABLE(census)[target],       HWY_DISPATCH_TABLE(gradient)[target],
-            HWY_DISPATCH_TABLE(smooth_along)[target], HWY_DISPATCH_TABLE(smooth_across)[target]};
+    return {HWY_DISPATCH_TABLE(rank3)[target],         HWY_DISPATCH_TABLE(rank5)[target],
+            HWY_DISPATCH_TABLE(census)[target],        HWY_DISPATCH_TABLE(gradient)[target],
+            HWY_DISPATCH_TABLE(smooth_along)[target],  HWY_DISPATCH_TABLE(smooth_across)[target],
+            HWY_DISPATCH_TABLE(larger_across)[target], HWY_DISPATCH_TABLE(split)[target]};
 }
 
 }  // namespace

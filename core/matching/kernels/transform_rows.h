@@ -15,13 +15,21 @@ struct TransformRows {
                    std::uint8_t* out);  ///< 3 bytes each
     void (*gradient)(const std::uint8_t* const* rows, int count, std::uint8_t* out);
 
-    /// Weighted sums along a row: out[x] = sum of weights[|i|] row[x + i] over |i| <= radius.
-    void (*smooth_along)(const std::uint8_t* row, const std::uint16_t* weights, int radius,
-                         int count, std::uint16_t* out);
-    /// The same across rows of such sums, which are 256 times too large, as the sums then are
-    /// again.
-    void (*smooth_across)(const std::uint16_t* const* rows, const std::uint16_t* weights,
-                          int radius, int count, std::uint32_t* out);
+    /// Weighted sums along a row: sum of weights[|i|] row[x + i] over |i| <= radius, a quarter of
+    /// it, rounded down. With weights that sum to 256: 64 times the grey level.
+    void (*smooth_along)(const std::uint8_t* row, const std::int16_t* weights, int radius,
+                         int count, std::int16_t* out);
+    /// The same across rows of such sums: 16384 times the grey level. rows[radius] is the middle
+    /// one.
+    void (*smooth_across)(const std::int16_t* const* rows, const std::int16_t* weights, int radius,
+                          int count, std::int32_t* out);
+    /// 1 where the sums across 5 rows are larger than those across 9 others, else 0.
+    void (*larger_across)(const std::int16_t* const* five, const std::int16_t* five_weights,
+                          const std::int16_t* const* nine, const std::int16_t* nine_weights,
+                          int count, std::uint8_t* out);
+    /// Three channels of interleaved pixels apart.
+    void (*split)(const std::uint8_t* pixels, int count, std::uint8_t* first, std::uint8_t* second,
+                  std::uint8_t* third);
 };
 
 const TransformRows& transform_rows();
