@@ -10,6 +10,7 @@
 #include "core/matching/matcher.h"
 #include "core/matching/peak.h"
 #include "core/matching/score_map.h"
+#include "core/matching/subpixel.h"
 #include "core/matching/texture.h"
 
 namespace kambara {
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double chunk_px = 6.0;  // along the curve, between two drawings of the patch
 constexpr int most_refinements = 4;
-constexpr double settled_px = 0.01;
+constexpr double settled_px = 0.3;              // the fit holds for a patch drawn no farther away
+constexpr double farthest_fit_px = 0.5;         // from the peak of the scores
 constexpr double farthest_refinement_px = 2.0;  // what wanders farther was another place
 
 struct Found {
@@ -99,7 +101,8 @@ Eigen::Vector2i reach_to_neighbours(const std::vector<EpipolarSample>& curve, st
     return (0.5 * farthest).array().ceil().cast<int>() + band_px;
 }
 
-// Draws the patch where it was found until it stays there.
+// Draws the patch where it was found, so that the two differ by a part of a pixel only, and fits
+// that part; once more where it has moved.
 void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
             const Camera& camera, const Image& grey, const Eigen::Vector3d& expected_in_rig_mm,
             const PatchSearchOptions& options) {
@@ -112,13 +115,21 @@ void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
         if (!found || (found->match.pixel - start).norm() > farthest_refinement_px) {
             return;
         }
-        const double moved = (found->match.pixel - match.pixel).norm();
-        match.pixel = found->match.pixel;
-        match.quality = found->match.quality;
-        match.size_px = found->match.size_px;
+        Eigen::Vector2d pixel = found->match.pixel;
         match.covariance_px2 = match_covariance_px2(
             grey, drawn->picture, drawn->inner(), drawn->top_left.x() + found->shift.x(),
             drawn->top_left.y() + found->shift.y(), options.floor_px);
+        const auto fitted =
+            refine_match(grey, drawn->picture, drawn->inner(), pixel - drawn->centre);
+        if (fitted && (fitted->position_px + drawn->centre - pixel).norm() < farthest_fit_px) {
+            pixel = fitted->position_px + drawn->centre;
+            match.covariance_px2 = fitted->covariance_px2 + options.floor_px * options.floor_px *
+                                                                Eigen::Matrix2d::Identity();
+        }
+        const double moved = (pixel - match.pixel).norm();
+        match.pixel = pixel;
+        match.quality = found->match.quality;
+        match.size_px = found->match.size_px;
         if (moved < settled_px) {
             return;
         }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/matching/subpixel.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/matching/cubic_spline.h"
+
+namespace kambara {
+namespace {
+
+constexpr int most_steps = 20;
+constexpr double settled_px = 1e-4;
+constexpr double farthest_px = 1.5;
+constexpr int spline_border_px = 8;     // what lies farther does not reach the spline's values
+constexpr double least_texture = 1e-3;  // of a flat direction's share in the normal matrix
+
+Rectangle grown(const Rectangle& r, int by, const Image& within) {
+    const int left = std::max(0, r.x - by);
+    const int top = std::max(0, r.y - by);
+    const int right = std::min(within.width(), r.x + r.width + by);
+    const int bottom = std::min(within.height(), r.y + r.height + by);
+    return {left, top, right - left, bottom - top};
+}
+
+}  // namespace
+
+std::optional<SubpixelMatch> refine_match(const Image& picture, const Image& picture_of_template,
+                                          const Rectangle& rectangle,
+                                          const Eigen::Vector2d& start_px) {
+    using Matrix4 = Eigen::Matrix4d;
+    using Vector4 = Eigen::Vector4d;
+    // Unknowns of picture = a T + b + a dT/dx dx + a dT/dy dy: linear in (a dx, a dy, a, b).
+    const CubicSpline of_template(picture_of_template,
+                                  grown(rectangle, spline_border_px, picture_of_template));
+    const auto count =
+        static_cast<std::size_t>(rectangle.width) * static_cast<std::size_t>(rectangle.height);
+    std::vector<Vector4> terms(count);
+    Matrix4 normal = Matrix4::Zero();
+    double mean = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const int x = rectangle.x + static_cast<int>(i) % rectangle.width;
+        const int y = rectangle.y + static_cast<int>(i) / rectangle.width;
+        const auto slope = of_template.gradient(x, y);
+        terms[i] = {slope.x, slope.y, static_cast<double>(picture_of_template.at(x, y)), 1.0};
+        mean += terms[i].z() / static_cast<double>(count);
+    }
+    for (Vector4& term : terms) {
+        term.z() -= mean;  // so that gain and offset are told apart well
+        normal += term * term.transpose();
+    }
+    const Eigen::LDLT<Matrix4> solver(normal);
+    if (solver.info() != Eigen::Success ||
+        solver.vectorD().minCoeff() < least_texture * static_cast<double>(count)) {
+        return std::nullopt;
+    }
+    const Rectangle around{static_cast<int>(std::floor(start_px.x())) - 2,
+                           static_cast<int>(std::floor(start_px.y())) - 2, rectangle.width + 5,
+                           rectangle.height + 5};
+    if (!grown(around, 0, picture).inside(picture.width(), picture.height())) {
+        return std::nullopt;
+    }
+    const CubicSpline of_picture(picture, grown(around, spline_border_px, picture));
+    Eigen::Vector2d place = start_px;
+    for (int step = 0; step < most_steps; ++step) {
+        const bool inside = place.x() >= 0.0 && place.y() >= 0.0 &&
+                            place.x() + rectangle.width - 1 <= picture.width() - 1 &&
+                            place.y() + rectangle.height - 1 <= picture.height() - 1;
+        if (!inside || (place - start_px).norm() > farthest_px) {
+            return std::nullopt;
+        }
+        Vector4 right = Vector4::Zero();
+        double squares = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double x = place.x() + static_cast<double>(static_cast<int>(i) % rectangle.width);
+            const double y = place.y() + static_cast<double>(static_cast<int>(i) / rectangle.width);
+            const double seen = of_picture.value(x, y);
+            right += seen * terms[i];
+            squares += seen * seen;
+        }
+        const Vector4 solution = solver.solve(right);
+        const double gain = solution.z();
+        if (gain <= 0.0) {
+            return std::nullopt;  // the picture is the template's negative here
+        }
+        const Eigen::Vector2d shift = solution.head<2>() / gain;
+        place -= shift;
+        if (shift.norm() < settled_px || step + 1 == most_steps) {
+            SubpixelMatch match;
+            match.position_px = place;
+            match.gain = gain;
+            match.offset_grey = solution.w() - gain * mean;
+            const double rest = std::max(0.0, squares - solution.dot(right));
+            const double variance =
+                rest / std::max(1.0, static_cast<double>(count) - 4.0) + 1.0 / 12.0;
+            match.residual_grey = std::sqrt(rest / static_cast<double>(count));
+            const Matrix4 inverse = solver.solve(Matrix4::Identity());
+            match.covariance_px2 = variance / (gain * gain) * inverse.topLeftCorner<2, 2>();
+            return match;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace kambara
