@@ -21,7 +21,7 @@ struct TrackerOptions {
     double least_distinctness = 0.03;  ///< of a match found without a prediction
     double update_quality = 0.85;      ///< a fresh template is cut when the match falls below this
     double update_agreement_px = 3.0;  ///< so far at most may the first template see it elsewhere
-    int update_interval_frames = 5;    ///< but no more often than this
+    int update_interval_frames = 3;    ///< but no more often than this
     double farthest_leap = 1.5;        ///< the distance's ratio from one pair to the next
     int doubtful_frames = 30;          ///< that many in a row: Lost
     int give_up_frames = 1800;         ///< lost for that many: back to TemplateSet
