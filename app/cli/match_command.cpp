@@ -32,6 +32,11 @@ Outcome run_match(const MatchOptions& options) {
                         "Use --search full, or sparse to compare every second pixel."});
     }
     method->step = options.search == "sparse" ? 2 : 1;
+    if (options.map) {
+        if (const auto named = check_float_tiff_name(*options.map); !named) {
+            return refused(named.error());
+        }
+    }
     auto image = read_picture(options.image);
     if (!image) {
         return refused(image.error());

@@ -250,9 +250,8 @@ void StereoTracker::judge(const TargetMeasurement& measured) {
 
 void StereoTracker::refresh_template(const TargetMeasurement& measured, const StereoFrame& frame) {
     // Where the first template still sees the target at all, it must be here.
-    const bool agreed =
-        !first_seen_px_ ||
-        (*first_seen_px_ - measured.left.pixel).norm() < options_.update_agreement_px;
+    const bool agreed = !first_seen_px_ || (*first_seen_px_ - measured.left.pixel).norm() <
+                                               options_.update_agreement_px;
     const bool safe = estimate_.state == TrackState::tracking && range_known_ && agreed;
     if (options_.automatic_update && safe && measured.quality < options_.update_quality &&
         frames_since_update_ >= options_.update_interval_frames) {

@@ -63,13 +63,20 @@ Result<Done> write_picture(const std::filesystem::path& path, const Image& pictu
     return write_encoded(path, opencv_view(picture));
 }
 
-Result<Done> write_float_tiff(const std::filesystem::path& path, const std::vector<float>& values,
-                              int width, int height) {
+Result<Done> check_float_tiff_name(const std::filesystem::path& path) {
     const auto ending = path.extension();
     if (ending != ".tiff" && ending != ".tif") {
         return Error{
             "A map of scores is written as TIFF, and " + path.string() + " does not end so.",
             "Let the name end in .tiff."};
+    }
+    return Done{};
+}
+
+Result<Done> write_float_tiff(const std::filesystem::path& path, const std::vector<float>& values,
+                              int width, int height) {
+    if (const auto named = check_float_tiff_name(path); !named) {
+        return named;
     }
     return write_encoded(path, cv::Mat(height, width, CV_32FC1, const_cast<float*>(values.data())));
 }

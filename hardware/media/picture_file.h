@@ -17,6 +17,9 @@ Result<Image> read_picture(const std::filesystem::path& path);
 /// appears whole or not at all.
 Result<Done> write_picture(const std::filesystem::path& path, const Image& picture);
 
+/// Whether write_float_tiff takes the name: it ends in .tiff or .tif.
+Result<Done> check_float_tiff_name(const std::filesystem::path& path);
+
 /// Writes 32-bit floating-point values, row by row, as a one-channel TIFF.
 Result<Done> write_float_tiff(const std::filesystem::path& path, const std::vector<float>& values,
                               int width, int height);

@@ -112,8 +112,9 @@ struct Kernels {
     std::uint32_t (*smallest)(const std::uint32_t* costs, int count) = nullptr;
 };
 
-/// The best implementation this processor can run; KAMBARA_KERNELS=scalar, sse4, avx2 or avx512 in
-/// the environment caps it. Chosen once.
+/// The best implementation this processor can run; KAMBARA_KERNELS=scalar, sse4, avx2, avx512bw (no
+/// 8-bit dot product) or avx512 in the environment chooses another one that it can run. Chosen
+/// once.
 const Kernels& best_kernels();
 
 /// All that this processor can run, the plain one first and the best last.
