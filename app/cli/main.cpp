@@ -9,6 +9,7 @@
 
 #include "app/cli/bench_command.h"
 #include "app/cli/calibrate_command.h"
+#include "app/cli/compare_command.h"
 #include "app/cli/convert_command.h"
 #include "app/cli/live_command.h"
 #include "app/cli/match_command.h"
@@ -130,6 +131,29 @@ void add_live(CLI::App& app, Chosen& chosen, LiveOptions& o) {
     c->callback([&] { chosen.run = [&o] { return run_live(o); }; });
 }
 
+void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
+    CLI::App* c = app.add_subcommand("compare-methods",
+                                     "Every measure and transform side by side, with a report");
+    c->add_option("--profile", o.profiles,
+                  "Simulated scenes; four from clear air to harbour water where none is given");
+    c->add_option("--left", o.recording.left, "A recording's left pictures");
+    c->add_option("--right", o.recording.right, "Its right pictures");
+    c->add_option("--rig", o.recording.rig, "Its rig file");
+    c->add_option("--template", o.templ, "X,Y,W,H in the recording's first frame");
+    c->add_option("--start", o.recording.start, "Begin at this frame")
+        ->check(CLI::NonNegativeNumber);
+    c->add_option("--frames", o.frames, "Stereo pairs of each scene")
+        ->capture_default_str()
+        ->check(CLI::Range(2, 3000));
+    c->add_option("--template-size", o.template_px,
+                  "Side of the square on the simulated target, px")
+        ->capture_default_str()
+        ->check(CLI::Range(9, 127));
+    c->add_option("--report", o.report, "HTML file to write");
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_compare(o); }; });
+}
+
 void add_bench(CLI::App& app, Chosen& chosen, BenchOptions& o) {
     CLI::App* c = app.add_subcommand("bench", "Measure the speed, with OpenCV beside it");
     c->add_option("what", o.what, "correlation")->capture_default_str();
@@ -171,6 +195,7 @@ int main(int argc, char** argv) {
     SimulateOptions simulate;
     LiveOptions live;
     BenchOptions bench;
+    CompareOptions compare;
     add_calibrate(app, chosen, calibrate);
     add_track(app, chosen, track);
     add_triangulate(app, chosen, triangulate);
@@ -179,6 +204,7 @@ int main(int argc, char** argv) {
     add_simulate(app, chosen, simulate);
     add_live(app, chosen, live);
     add_bench(app, chosen, bench);
+    add_compare(app, chosen, compare);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

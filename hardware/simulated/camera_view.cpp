@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hardware/simulated/blur.h"
+
 namespace kambara {
 namespace {
 
@@ -36,8 +38,8 @@ const Eigen::Vector2f* CameraView::slopes_from(int x, int y) const {
            static_cast<std::size_t>(x + 1);
 }
 
-void CameraView::draw_seabed(std::vector<float>& grey, const RigidTransform& T_camera_from_rig,
-                             int samples) const {
+void CameraView::draw_seabed(int seabed, std::vector<float>& grey,
+                             const RigidTransform& T_camera_from_rig, int samples) const {
     const RigidTransform T_rig_from_camera = T_camera_from_rig.inverse();
     const double spread = 1.0 / pinhole_parameters(camera_.lens).fx_px / samples;
     const std::size_t stride = static_cast<std::size_t>(camera_.width_px + 2);
@@ -68,22 +70,43 @@ void CameraView::draw_seabed(std::vector<float>& grey, const RigidTransform& T_c
                     at.b * ((1 - at.a) * s[stride] + at.a * s[stride + 1]);
                 const Eigen::Vector3d direction(slope.x(), slope.y(), 1.0);
                 sum += scene_.seabed_along(
-                    {T_rig_from_camera.t_mm, T_rig_from_camera.R * direction.normalized()}, spread);
+                    seabed, {T_rig_from_camera.t_mm, T_rig_from_camera.R * direction.normalized()},
+                    spread);
             }
             grey.push_back(sum / static_cast<float>(places.size()));
         }
     }
 }
 
+const std::vector<float>& CameraView::seabed_from_here(double time_s) const {
+    const int which = scene_.seabed_at(time_s);
+    std::call_once(seabed_once_[which], [&] {
+        draw_seabed(which, seabed_[which], camera_.T_camera_from_rig, samples_across);
+    });
+    return seabed_[which];
+}
+
+// The blur is that of the target's distance everywhere.
+void CameraView::light_and_blur(std::vector<float>& grey, double time_s) const {
+    const auto light = static_cast<float>(scene_.light(time_s));
+    if (light != 1.0F) {
+        for (float& value : grey) {
+            value *= light;
+        }
+    }
+    const double sigma_px = scene_.blur_px(time_s);
+    if (sigma_px > 0.1) {
+        blur(grey, camera_.width_px, camera_.height_px, sigma_px);
+    }
+}
+
 std::vector<float> CameraView::draw(double time_s) const {
-    std::call_once(seabed_once_,
-                   [&] { draw_seabed(seabed_, camera_.T_camera_from_rig, samples_across); });
     const auto patches =
         patches_in_camera(camera_.T_camera_from_rig * scene_.T_rig_from_target(time_s));
     std::vector<float> grey;
     const std::int64_t since = scene_.still_since(time_s);
     if (since < 0) {
-        grey = seabed_;
+        grey = seabed_from_here(time_s);
         draw_target(grey, patches);
     } else {
         std::shared_ptr<const std::vector<float>> still;
@@ -92,7 +115,7 @@ std::vector<float> CameraView::draw(double time_s) const {
             still = still_since_ == since ? still_ : nullptr;
         }
         if (!still) {
-            grey = seabed_;
+            grey = seabed_from_here(time_s);
             draw_target(grey, patches);
             still = std::make_shared<const std::vector<float>>(grey);
             std::lock_guard lock(mutex_);
@@ -103,6 +126,7 @@ std::vector<float> CameraView::draw(double time_s) const {
         }
     }
     draw_particles(grey, time_s, camera_.T_camera_from_rig, patches);
+    light_and_blur(grey, time_s);
     return grey;
 }
 
@@ -110,9 +134,10 @@ std::vector<float> CameraView::draw_turned(double time_s,
                                            const RigidTransform& T_camera_from_rig) const {
     const auto patches = patches_in_camera(T_camera_from_rig * scene_.T_rig_from_target(time_s));
     std::vector<float> grey;
-    draw_seabed(grey, T_camera_from_rig, 1);
+    draw_seabed(scene_.seabed_at(time_s), grey, T_camera_from_rig, 1);
     draw_target(grey, patches);
     draw_particles(grey, time_s, T_camera_from_rig, patches);
+    light_and_blur(grey, time_s);
     return grey;
 }
 

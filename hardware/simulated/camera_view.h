@@ -33,8 +33,10 @@ class CameraView {
     };
 
     const Eigen::Vector2f* slopes_from(int x, int y) const;
-    void draw_seabed(std::vector<float>& grey, const RigidTransform& T_camera_from_rig,
+    void draw_seabed(int seabed, std::vector<float>& grey, const RigidTransform& T_camera_from_rig,
                      int samples) const;
+    const std::vector<float>& seabed_from_here(double time_s) const;
+    void light_and_blur(std::vector<float>& grey, double time_s) const;
     std::vector<TargetPatch> patches_in_camera(const RigidTransform& T_camera_from_target) const;
     Box box_of(const std::vector<TargetPatch>& patches_in_camera) const;
     void draw_target(std::vector<float>& grey, const std::vector<TargetPatch>& patches) const;
@@ -47,8 +49,9 @@ class CameraView {
     const Scene& scene_;
     const Camera camera_;
     std::vector<Eigen::Vector2f> slopes_;  // x/z and y/z of every pixel's ray, a border of one more
-    mutable std::once_flag seabed_once_;   // a camera that is only ever turned needs none
-    mutable std::vector<float> seabed_;
+    // A camera that is only ever turned needs none.
+    mutable std::once_flag seabed_once_[Scene::seabeds];
+    mutable std::vector<float> seabed_[Scene::seabeds];
     mutable std::mutex mutex_;  // of the cached still picture
     mutable std::int64_t still_since_ = -1;
     mutable std::shared_ptr<const std::vector<float>> still_;

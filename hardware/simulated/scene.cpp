@@ -15,6 +15,7 @@ namespace {
 constexpr double seabed_below_mm = 1500.0;
 constexpr double cameras_down_rad = rad_from_deg(15.0);
 constexpr double pose_held_s = 1.0;
+constexpr double step_held_s = 3.0;
 constexpr float paper_grey = 215.0F;
 constexpr float mark_grey = 30.0F;
 
@@ -34,8 +35,11 @@ double wave(double time_s, double period_s, double phase) {
 
 Scene::Scene(const SimulatedProfile& profile) : profile_(profile) {
     std::mt19937 random(profile.seed * 7919U + 17U);
-    seabed_ = std::make_unique<TileTexture>(
-        TileTexture::Options{4096.0, 8.0, 24.0, 400.0, 105.0, 28.0}, random());
+    const TileTexture::Options of_seabed{4096.0, 8.0, 24.0, 400.0, 105.0, 28.0};
+    seabed_[0] = std::make_unique<TileTexture>(of_seabed, random());
+    if (profile.swap_s > 0.0) {
+        seabed_[1] = std::make_unique<TileTexture>(of_seabed, profile.seed * 104729U + 3U);
+    }
     pattern_ = std::make_unique<TileTexture>(
         TileTexture::Options{512.0, 1.0, 9.0, 80.0, 128.0, 50.0}, random());
     std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -91,7 +95,22 @@ void Scene::arrange_calibration_target(const Target& target) {
     typical_range_mm_ = std::max(600.0, 5.0 * radius);
 }
 
-float Scene::seabed_along(const Ray& ray, double spread) const {
+int Scene::seabed_at(double time_s) const {
+    return profile_.swap_s > 0.0 ? static_cast<int>(std::floor(time_s / profile_.swap_s)) % seabeds
+                                 : 0;
+}
+
+double Scene::light(double time_s) const {
+    const bool dim = static_cast<int>(std::floor(time_s / step_held_s)) % 2 == 1;
+    return dim ? 1.0 - profile_.step : 1.0;
+}
+
+double Scene::blur_px(double time_s) const {
+    const double range_m = 1e-3 * T_rig_from_target(time_s).t_mm.norm();
+    return profile_.blur_px * profile_.haze_per_m * range_m;
+}
+
+float Scene::seabed_along(int seabed, const Ray& ray, double spread) const {
     const double falls = ray.direction.dot(down);
     if (falls < 1e-3) {
         return water_grey;
@@ -99,7 +118,7 @@ float Scene::seabed_along(const Ray& ray, double spread) const {
     const double range = (seabed_below_mm - ray.origin_mm.dot(down)) / falls;
     const Eigen::Vector3d hit = ray.at(range);
     const double footprint = range * spread / std::sqrt(falls);
-    return hazed(seabed_->at(hit.x(), hit.dot(forward), footprint), range);
+    return hazed(seabed_[seabed]->at(hit.x(), hit.dot(forward), footprint), range);
 }
 
 RigidTransform Scene::T_rig_from_target(double time_s) const {

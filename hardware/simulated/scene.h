@@ -31,9 +31,18 @@ class Scene {
 
     explicit Scene(const SimulatedProfile& profile);
 
-    /// Grey level of the seabed along a ray, haze included; `spread` is the ray's width per
+    /// There are two seabeds, which may take turns.
+    static constexpr int seabeds = 2;
+    int seabed_at(double time_s) const;
+
+    /// Grey level of a seabed along a ray, haze included; `spread` is the ray's width per
     /// distance.
-    float seabed_along(const Ray& ray_in_rig, double spread) const;
+    float seabed_along(int seabed, const Ray& ray_in_rig, double spread) const;
+
+    /// How bright the light is, 1 at first.
+    double light(double time_s) const;
+    /// Width of the blur that the water makes of a point at the target's distance.
+    double blur_px(double time_s) const;
 
     /// The pose of the thing in front of the seabed. For the moving target: its centre, x and y
     /// along its sides. For a calibration target: its own frame W.
@@ -60,7 +69,7 @@ class Scene {
     void arrange_calibration_target(const Target& target);
 
     SimulatedProfile profile_;
-    std::unique_ptr<TileTexture> seabed_;
+    std::unique_ptr<TileTexture> seabed_[seabeds];
     std::unique_ptr<TileTexture> pattern_;
     std::vector<TargetPatch> sheets_;
     std::vector<std::vector<Mark>> marks_;                 // dark, on each sheet

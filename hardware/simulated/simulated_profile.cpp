@@ -10,9 +10,10 @@ namespace kambara {
 namespace {
 
 Error refused(const std::string& cause) {
-    return {cause,
-            "Give default, chessboard or two-plane-24, and after a ? any of seed, noise, haze, "
-            "particles, frames, rate, medium, target, as in default?seed=3&noise=1."};
+    return {
+        cause,
+        "Give default, chessboard or two-plane-24, and after a ? any of seed, noise, haze, "
+        "blur, step, swap, particles, frames, rate, medium, target, as in default?seed=3&noise=1."};
 }
 
 // This and apply() give nothing when they took the value, else why they did not.
@@ -41,6 +42,15 @@ std::string apply(std::string_view key, std::string_view value, SimulatedProfile
     }
     if (key == "haze") {
         return read(value, 0, 10, profile.haze_per_m);
+    }
+    if (key == "blur") {
+        return read(value, 0, 10, profile.blur_px);
+    }
+    if (key == "step") {
+        return read(value, 0, 0.95, profile.step);
+    }
+    if (key == "swap") {
+        return read(value, 0, 1e6, profile.swap_s);
     }
     if (key == "particles") {
         return read(value, 0, 5000, profile.particles);

@@ -21,6 +21,12 @@ struct SimulatedProfile {
     double noise_grey = 2.0;   ///< standard deviation of a pixel, grey levels
     double haze_per_m = 0.25;  ///< light is lost as exp(-haze range)
     int particles = 60;        ///< drifting in front of the cameras
+    /// Forward scatter: the picture is blurred by so many pixels for each attenuation length (haze
+    /// times range) to the target.
+    double blur_px = 0.0;
+    double step = 0.0;  ///< share of the light that is missing in every other 3 seconds
+    double swap_s =
+        0.0;  ///< after so many seconds another seabed lies behind, then the first again
     std::int64_t frames = -1;  ///< the source ends after so many; -1: never
     /// A calibration target shown in still poses, a second each, instead of the moving target.
     std::optional<Target> calibration_target;
@@ -28,7 +34,7 @@ struct SimulatedProfile {
 
 /// Reads `NAME?key=value&key=value`. Names: default (a textured target on a smooth path),
 /// chessboard (9x6:30 unless target= says otherwise), two-plane-24. Keys: seed, noise, haze,
-/// particles, frames, rate, medium (air, water), target.
+/// blur, step, swap, particles, frames, rate, medium (air, water), target.
 Result<SimulatedProfile> simulated_profile(std::string_view text);
 
 }  // namespace kambara

@@ -38,7 +38,7 @@ double cast(const Scene& scene, const Camera& camera, const Vector2d& pixel, dou
             scene.surface(0, static_cast<float>(at.x() + half), static_cast<float>(at.y() + half)),
             range);
     }
-    return scene.seabed_along(ray, 0.0);
+    return scene.seabed_along(0, ray, 0.0);
 }
 
 // The mean over a pixel's area of very many rays.

@@ -10,7 +10,8 @@ namespace {
 
 TEST(SimulatedProfile, ReadsItsKeys) {
     const auto profile = simulated_profile(
-        "default?seed=3&noise=1.5&particles=0&haze=0&medium=water&frames=300&rate=25");
+        "default?seed=3&noise=1.5&particles=0&haze=0&medium=water&frames=300&rate=25"
+        "&blur=0.8&step=0.4&swap=5");
     ASSERT_TRUE(profile.ok()) << profile.error().text();
     EXPECT_EQ(profile->name, "default");
     EXPECT_EQ(profile->seed, 3U);
@@ -20,6 +21,9 @@ TEST(SimulatedProfile, ReadsItsKeys) {
     EXPECT_EQ(profile->medium, Medium::water);
     EXPECT_EQ(profile->frames, 300);
     EXPECT_EQ(profile->rate_hz, 25.0);
+    EXPECT_EQ(profile->blur_px, 0.8);
+    EXPECT_EQ(profile->step, 0.4);
+    EXPECT_EQ(profile->swap_s, 5.0);
     EXPECT_FALSE(profile->calibration_target);
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/camera/nominal_rig.h"
 #include "core/pointing/aim.h"
+#include "hardware/simulated/blur.h"
 
 namespace kambara {
 namespace {
@@ -123,11 +124,48 @@ TEST(Scene, HazeHidesWhatIsFar) {
     // Along the horizontal, 15 degrees above the rig's axis, there is no bed, and just below
     // it the bed is so far that nothing of it is left.
     const double up = rad_from_deg(15.0);
-    EXPECT_EQ(scene.seabed_along({{0, 0, 0}, {0, -std::sin(up), std::cos(up)}}, 0.002),
+    EXPECT_EQ(scene.seabed_along(0, {{0, 0, 0}, {0, -std::sin(up), std::cos(up)}}, 0.002),
               Scene::water_grey);
     const double below = up - rad_from_deg(1.0);
-    EXPECT_NEAR(scene.seabed_along({{0, 0, 0}, {0, -std::sin(below), std::cos(below)}}, 0.002),
+    EXPECT_NEAR(scene.seabed_along(0, {{0, 0, 0}, {0, -std::sin(below), std::cos(below)}}, 0.002),
                 Scene::water_grey, 1e-3);
+}
+
+TEST(Scene, TheLightStepsAndTheSeabedsTakeTurns) {
+    const Scene scene(profile_of("default?step=0.4&swap=2"));
+    EXPECT_EQ(scene.light(1.0), 1.0);
+    EXPECT_DOUBLE_EQ(scene.light(4.0), 0.6);
+    EXPECT_EQ(scene.light(7.0), 1.0);
+    EXPECT_EQ(scene.seabed_at(1.0), 0);
+    EXPECT_EQ(scene.seabed_at(3.0), 1);
+    EXPECT_EQ(scene.seabed_at(5.0), 0);
+    const Ray down{{0, 0, 0}, Eigen::Vector3d(0.0, 1.0, 0.3).normalized()};
+    EXPECT_NE(scene.seabed_along(0, down, 0.0), scene.seabed_along(1, down, 0.0));
+    const Scene still(profile_of("default"));
+    EXPECT_EQ(still.light(4.0), 1.0);
+    EXPECT_EQ(still.seabed_at(100.0), 0);
+    EXPECT_EQ(still.blur_px(1.0), 0.0);
+}
+
+TEST(Blur, KeepsTheLightAndSpreadsAPointAsItsWidthSays) {
+    constexpr int side = 61;
+    std::vector<float> grey(side * side, 0.0F);
+    grey[30 * side + 30] = 1000.0F;
+    blur(grey, side, side, 2.5);
+    double sum = 0.0;
+    double squares = 0.0;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const double value = grey[static_cast<std::size_t>(y * side + x)];
+            sum += value;
+            squares += value * (x - 30) * (x - 30);
+        }
+    }
+    EXPECT_NEAR(sum, 1000.0, 0.01);
+    EXPECT_NEAR(std::sqrt(squares / sum), 2.5, 0.05);
+    std::vector<float> flat(side * side, 90.0F);
+    blur(flat, side, side, 3.0);
+    EXPECT_NEAR(*std::min_element(flat.begin(), flat.end()), 90.0F, 1e-3F);
 }
 
 TEST(Scene, ParticlesDriftSteadilyInsideTheirBox) {

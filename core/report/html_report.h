@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kambara {
+
+/// A page of results in one HTML file that needs no other: headings, paragraphs, tables and bar
+/// charts (as inline SVG), one after the other as they are added. All text is escaped.
+class HtmlReport {
+  public:
+    explicit HtmlReport(std::string_view title);
+
+    void heading(std::string_view text);
+    void paragraph(std::string_view text);
+    /// The first column to the left, the others, numbers for the most part, to the right.
+    void table(const std::vector<std::string>& header,
+               const std::vector<std::vector<std::string>>& rows);
+
+    struct Bar {
+        std::string label;
+        double value = 0.0;
+        bool marked = false;  ///< drawn in the second colour
+    };
+    /// Bars from 0 on, one below the other, with their values; `unit` stands behind each.
+    void bars(std::string_view title, std::string_view unit, const std::vector<Bar>& bars,
+              int decimals);
+
+    std::string text() const;
+
+  private:
+    std::string title_;
+    std::string body_;
+};
+
+/// The text with the characters that mean something in HTML written as entities.
+std::string html_escaped(std::string_view text);
+
+}  // namespace kambara

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/html_report.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace kambara {
+namespace {
+
+TEST(HtmlReport, EscapesWhatIsWrittenAndKeepsTheOrder) {
+    HtmlReport report("A < B & \"C\"");
+    report.heading("First");
+    report.paragraph("<script>alert(1)</script>");
+    report.table({"name", "value"}, {{"a&b", "1"}, {"c", "2"}});
+    const std::string text = report.text();
+    EXPECT_NE(text.find("<title>A &lt; B &amp; &quot;C&quot;</title>"), std::string::npos);
+    EXPECT_EQ(text.find("<script>"), std::string::npos);
+    EXPECT_NE(text.find("<td>a&amp;b</td><td>1</td>"), std::string::npos);
+    EXPECT_LT(text.find("First"), text.find("&lt;script"));
+    EXPECT_LT(text.find("&lt;script"), text.find("<table>"));
+}
+
+TEST(HtmlReport, BarsAreAsLongAsTheirValues) {
+    HtmlReport report("t");
+    report.bars("speeds", "ms",
+                {{"one", 10.0, false},
+                 {"half", 5.0, true},
+                 {"none", std::numeric_limits<double>::quiet_NaN(), false}},
+                1);
+    const std::string text = report.text();
+    EXPECT_NE(text.find("width=\"420.0\""), std::string::npos);
+    EXPECT_NE(text.find("width=\"210.0\""), std::string::npos);
+    EXPECT_NE(text.find("10.0 ms"), std::string::npos);
+    EXPECT_NE(text.find(">-</text>"), std::string::npos);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kambara
