@@ -67,6 +67,10 @@ Result<CompareScene> simulated_scene(const std::string& profile_text, int frames
 }
 
 Result<CompareScene> recorded_scene(const CompareOptions& options) {
+    if (options.templ.empty()) {
+        return Error{"It is not said which target of the recording to follow.",
+                     "Give --template X,Y,W,H, a rectangle in its first frame."};
+    }
     const auto rectangle = parse_rectangle(options.templ);
     if (!rectangle) {
         return rectangle.error();

@@ -5,12 +5,14 @@
 
 #include "core/matching/matcher.h"
 #include "core/matching/peak.h"
+#include "core/matching/subpixel.h"
 #include "hardware/media/picture_file.h"
 
 namespace kambara::cli {
 namespace {
 
 constexpr int smallest_inner_px = 3;
+constexpr double farthest_fit_px = 0.75;
 
 Outcome refused(Error error) {
     return {std::move(error)};
@@ -63,12 +65,14 @@ Outcome run_match(const MatchOptions& options) {
     const Rectangle inner{margin, margin, templ->width() - 2 * margin,
                           templ->height() - 2 * margin};
     if (inner.width < smallest_inner_px || inner.height < smallest_inner_px) {
-        return refused({"The template of " + size_text(*templ) +
-                            " pixels is too small for the "
-                            "transform " +
-                            options.transform + ", which takes " + std::to_string(margin) +
-                            " pixels off each side.",
-                        "Give a larger one, or use another transform."});
+        const std::string why = margin == 0
+                                    ? "to be compared"
+                                    : "for the transform " + options.transform + ", which takes " +
+                                          std::to_string(margin) + " pixels off each side";
+        return refused(
+            {"The template of " + size_text(*templ) + " pixels is too small " + why + ".",
+             margin == 0 ? "Give one of at least 3 x 3 pixels."
+                         : "Give a larger one, or use another transform."});
     }
     Matcher matcher(*method);
     matcher.set_template(*templ, inner);
@@ -86,8 +90,15 @@ Outcome run_match(const MatchOptions& options) {
             return refused(written.error());
         }
     }
-    const double x_px = peak->x - margin + 0.5 * (templ->width() - 1);
-    const double y_px = peak->y - margin + 0.5 * (templ->height() - 1);
+    Eigen::Vector2d top_left_px(peak->x - margin, peak->y - margin);
+    // The fit goes by the grey levels, and counts where it agrees with the scores.
+    const auto fitted = refine_match(grey_from(*image), grey_from(*templ),
+                                     {0, 0, templ->width(), templ->height()}, top_left_px);
+    if (fitted && (fitted->position_px - top_left_px).norm() < farthest_fit_px) {
+        top_left_px = fitted->position_px;
+    }
+    const double x_px = top_left_px.x() + 0.5 * (templ->width() - 1);
+    const double y_px = top_left_px.y() + 0.5 * (templ->height() - 1);
     const double likeness = matcher.quality(peak->score);
     Outcome outcome;
     outcome.json = nlohmann::json{
