@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdio>
+#include <numbers>
 
 #include "core/stereo/midpoint.h"
 #include "core/stereo/parallel_range.h"
@@ -53,6 +55,34 @@ TEST(SineRule, WorksInAnyWorldFrame) {
         ASSERT_TRUE(found);
         EXPECT_LT((found->mean_mm() - in_left).norm(), 1e-7);
     }
+}
+
+// Equation 40 as printed takes the angle between BF and HF, not the triangle's inner one: with
+// 1999's own poses a target at 1232 mm comes out at 5429 mm, with the nominal rig far beyond.
+TEST(SineRule, AsPrintedIn1999ItIsOffByMetres) {
+    const Rig rig = nominal_rig();
+    const Vector3d in_rig_mm(225, 0, 1232);
+    const auto angle = [](const Vector3d& a, const Vector3d& b) {
+        return std::atan2(a.cross(b).norm(), a.dot(b));
+    };
+    const auto on_sensor = [&](const Camera& camera, double f_mm) {
+        const Vector3d in_camera = camera.T_camera_from_rig * in_rig_mm;
+        return Vector3d(camera.T_camera_from_rig.R.transpose() *
+                        (in_camera * (f_mm / in_camera.z())));
+    };
+    const Vector3d DH = on_sensor(rig.left, 2.846366);
+    const Vector3d BF = on_sensor(*rig.right, 2.882766);
+    const Vector3d HF = (rig.right->T_camera_from_rig.centre_mm() + BF) -
+                        (rig.left.T_camera_from_rig.centre_mm() + DH);
+    const auto range_mm = [&](const Vector3d& side_at_F) {
+        const double at_F = angle(BF, side_at_F);
+        const double at_P = std::numbers::pi - angle(DH, HF) - at_F;
+        return std::abs(HF.norm() * std::sin(at_F) / std::sin(at_P)) + DH.norm();
+    };
+    const double truth_mm = (in_rig_mm - rig.left.T_camera_from_rig.centre_mm()).norm();
+    EXPECT_NEAR(range_mm(-HF), truth_mm, 1e-6);
+    EXPECT_GT(range_mm(HF), 4.0 * truth_mm);
+    std::printf("as printed: %.0f mm for %.0f mm\n", range_mm(HF), truth_mm);
 }
 
 TEST(SineRule, OffTheEpipolarLineTheTwoLinesOfSightDisagree) {
