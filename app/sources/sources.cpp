@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/camera/nominal_rig.h"
 #include "core/camera/rig_file.h"
 #include "hardware/media/open_media.h"
 #include "hardware/simulated/simulated_grabber.h"
@@ -141,7 +142,7 @@ Result<Sources> open_sources(const SourceOptions& options, Clock& clock) {
         return Error{"The right pictures are simulated, the left ones are not.",
                      "Give both from the same kind of source."};
     }
-    if (options.rig.empty() && !simulation) {
+    if (options.rig.empty() && !simulation && !options.right.empty()) {
         return Error{"There is no rig file.", "Name one with --rig."};
     }
     std::optional<Rig> rig;
@@ -158,6 +159,9 @@ Result<Sources> open_sources(const SourceOptions& options, Clock& clock) {
     }
     if (rig) {
         sources->parts.rig = std::move(*rig);
+    } else if (!simulation) {
+        const GrabberInfo info = sources->parts.grabbers.left->info();
+        sources->parts.rig = unknown_camera(info.width_px, info.height_px);
     }
     if (!simulation && !options.pan_tilt.empty()) {
         if (const auto added = add_head(options, *sources); !added) {

@@ -20,7 +20,7 @@ struct SourceOptions {
     std::string left;
     std::string right;     ///< empty: one camera only (with sim: the simulated right camera)
     std::string pan_tilt;  ///< empty: none (with sim: the simulated head)
-    std::string rig;       ///< a rig file; may be empty with sim:
+    std::string rig;       ///< a rig file; may be empty with sim:, and with one camera alone
     std::int64_t start = 0;
     bool live = false;               ///< in real time; else as fast as it goes, every frame
     bool pan_tilt_pictures = false;  ///< draw the simulated pan-tilt camera's pictures too

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera/nominal_rig.h"
 
+#include <cmath>
+
 #include "core/base/angles.h"
 
 namespace kambara {
@@ -30,6 +32,16 @@ Rig nominal_rig(Medium medium) {
     rig.right = camera_at(right, rotation_about_y(rad_from_deg(3.0)), {450, 0, 0});
     rig.pan_tilt = camera_at(pan_tilt, rotation_about_x(rad_from_deg(21.0)), {225, -120, 30});
     rig.provenance.method = "nominal";
+    return rig;
+}
+
+Rig unknown_camera(int width_px, int height_px) {
+    const double f_px = 0.5 * width_px / std::tan(rad_from_deg(30.0));
+    Rig rig;
+    rig.left.lens = BrownLens(f_px, f_px, 0.5 * (width_px - 1), 0.5 * (height_px - 1));
+    rig.left.width_px = width_px;
+    rig.left.height_px = height_px;
+    rig.provenance.method = "not calibrated";
     return rig;
 }
 

@@ -11,4 +11,9 @@ namespace kambara {
 /// focal lengths and kappa1 that 1999 measured there.
 Rig nominal_rig(Medium medium = Medium::air);
 
+/// A camera of which nothing is known but the size of its pictures: a lens without distortion that
+/// sees 60 degrees across. For following targets in pictures; what it says of directions is no
+/// measurement.
+Rig unknown_camera(int width_px, int height_px);
+
 }  // namespace kambara

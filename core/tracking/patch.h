@@ -10,22 +10,40 @@
 
 namespace kambara {
 
+/// How a target has changed in its own plane since its patch was cut: turned and grown, over and
+/// above what its change of place explains.
+struct PlanarChange {
+    double scale = 1.0;
+    double turn_rad = 0.0;  ///< from the picture's x towards its y
+
+    PlanarChange then(const PlanarChange& next) const {
+        return {scale * next.scale, turn_rad + next.turn_rad};
+    }
+    bool operator==(const PlanarChange&) const = default;
+};
+
 /// A piece of a left picture, remembered with what is needed to draw it as it would look elsewhere.
 struct ReferencePatch {
-    ImagePtr left_grey;               ///< the whole picture it was cut from
-    Eigen::Vector2d centre_px;        ///< the reference point: the template's centre, sub-pixel
-    Eigen::Vector2i size_px;          ///< width and height in that picture
-    Eigen::Vector3d point_in_rig_mm;  ///< where the reference point was in space
+    ImagePtr left_grey;                 ///< the picture it was cut from, or the piece that matters
+    Eigen::Vector2d centre_px;          ///< the reference point: the template's centre, sub-pixel
+    Eigen::Vector2i size_px;            ///< width and height in that picture
+    Eigen::Vector3d point_in_rig_mm;    ///< where the reference point was in space
+    PlanarChange change{};              ///< since it was cut: it is drawn so changed
+    Eigen::Vector2i piece_at_px{0, 0};  ///< where left_grey's first pixel lies in the left picture
 };
 
 /// A reference patch as another camera, or the same one elsewhere, would see it.
 struct RenderedPatch {
     Image picture;   ///< the patch, and about it a margin
     int margin = 0;  ///< pixels on each side that transforms need and the comparison leaves out
+    /// Of the size of inner(): 0 where a turned patch does not reach. Empty where all counts.
+    Image mask;
     /// Where the reference point lies in the patch; its top-left pixel + this = the point's pixel.
     Eigen::Vector2d centre;
     /// The whole pixel of the camera's picture on which the patch's top-left pixel belongs.
     Eigen::Vector2i top_left;
+
+    const Image* mask_or_null() const { return mask.empty() ? nullptr : &mask; }
 
     /// The patch within `picture`.
     Rectangle inner() const {
@@ -34,14 +52,20 @@ struct RenderedPatch {
 };
 
 /// Draws the patch for `camera` with its reference point at `point_in_rig_mm`: the patch is taken
-/// as a flat piece square to the rig's z axis that was carried from where it was, unturned, to the
-/// new place. Each pixel's ray goes through the camera's lens to that plane, back along the shift,
-/// and through the left lens into the reference picture (cubic interpolation), so that neither
-/// distortion nor distance bends the comparison. The result covers no more than the reference patch
-/// did, the margin aside. Empty where the place is not in the camera's field or the patch would be
-/// smaller than 5 x 5.
+/// as a flat piece square to the rig's z axis that was carried from where it was to the new place,
+/// and there changed in its plane as it says. Each pixel's ray goes through the camera's lens to
+/// that plane, back along the shift, and through the left lens into the reference picture (cubic
+/// interpolation), so that neither distortion nor distance bends the comparison. The result covers
+/// no more than the reference patch did, the margin aside. Empty where the place is not in the
+/// camera's field or the patch would be smaller than 5 x 5.
 std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Camera& left,
                                           const Camera& camera,
                                           const Eigen::Vector3d& point_in_rig_mm, int margin = 0);
+
+/// The other way round: what `grey`, a left picture of now, shows of the target at
+/// `point_in_rig_mm`, drawn onto a piece of the picture that the patch was cut from. Empty where
+/// that leaves the field.
+std::optional<Image> drawn_back(const ReferencePatch& patch, const Camera& left, const Image& grey,
+                                const Eigen::Vector3d& point_in_rig_mm, const Rectangle& piece);
 
 }  // namespace kambara

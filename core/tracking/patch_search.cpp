@@ -10,8 +10,10 @@
 #include "core/matching/matcher.h"
 #include "core/matching/peak.h"
 #include "core/matching/score_map.h"
+#include "core/matching/similarity_fit.h"
 #include "core/matching/subpixel.h"
 #include "core/matching/texture.h"
+#include "core/tracking/rival.h"
 
 namespace kambara {
 namespace {
@@ -20,6 +22,8 @@ constexpr double chunk_px = 6.0;  // along the curve, between two drawings of th
 constexpr int most_refinements = 4;
 constexpr double settled_px = 0.3;              // the fit holds for a patch drawn no farther away
 constexpr double farthest_fit_px = 0.5;         // from the peak of the scores
+constexpr double preferred_by = 0.1;            // so much less alike may the expected place be
+constexpr double hidden_share = 0.02;           // of a patch: something lies before the target
 constexpr double farthest_refinement_px = 2.0;  // what wanders farther was another place
 
 struct Found {
@@ -44,17 +48,19 @@ std::optional<RenderedPatch> drawn_for(const MatchMethod& method, const Referenc
 
 // Scores the drawn patch over shifts of up to (across, down) pixels from where it was drawn.
 std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, int across,
-                                 int down, const PatchSearchOptions& options,
+                                 int down, const PatchSearchOptions& options, double reach_px = 0.0,
                                  SearchDetail* detail = nullptr) {
     thread_local ScoreMap map;
     Matcher& matcher = matcher_for(options.method);
     const Rectangle inner = drawn.inner();
     const Rectangle positions{drawn.top_left.x() - across, drawn.top_left.y() - down,
                               2 * across + 1, 2 * down + 1};
-    matcher.set_template(drawn.picture, inner);
+    matcher.set_template(drawn.picture, inner, drawn.mask_or_null());
     matcher.scores(grey, positions, map);
     const Measure measure = options.method.measure;
-    const auto peak = best_peak(map, measure, drawn.top_left.cast<double>());
+    const int apart = std::max(3, std::min(inner.width, inner.height) / 3);
+    const RivalScope scope{drawn.top_left.cast<double>(), reach_px, apart};
+    const auto peak = likely_peak(map, matcher, scope, preferred_by);
     if (!peak) {
         return std::nullopt;
     }
@@ -64,9 +70,13 @@ std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, 
     found.match.on_border = peak->on_border;
     found.match.size_px = {inner.width, inner.height};
     found.shift = Eigen::Vector2i(peak->whole_x, peak->whole_y) - drawn.top_left;
-    const int apart = std::max(3, std::min(inner.width, inner.height) / 3);
     if (const auto next = runner_up(map, measure, *peak, apart)) {
         found.match.distinctness = found.match.quality - matcher.quality(*next);
+    }
+    if (reach_px > 0.0) {
+        if (const auto rival = rival_quality(map, matcher, *peak, scope)) {
+            found.match.lead = found.match.quality - *rival;
+        }
     }
     if (detail != nullptr) {
         detail->measure = measure;
@@ -102,18 +112,19 @@ Eigen::Vector2i reach_to_neighbours(const std::vector<EpipolarSample>& curve, st
 }
 
 // Draws the patch where it was found, so that the two differ by a part of a pixel only, and fits
-// that part; once more where it has moved.
-void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
-            const Camera& camera, const Image& grey, const Eigen::Vector3d& expected_in_rig_mm,
-            const PatchSearchOptions& options) {
+// that part; once more where it has moved. Gives the last drawing that fitted.
+std::optional<RenderedPatch> refine(PatchMatch& match, const ReferencePatch& patch,
+                                    const Camera& left, const Camera& camera, const Image& grey,
+                                    const Eigen::Vector3d& expected_in_rig_mm,
+                                    const PatchSearchOptions& options) {
     const Eigen::Vector2d start = match.pixel;
+    std::optional<RenderedPatch> last;
     for (int i = 0; i < most_refinements; ++i) {
         const auto place = place_at(camera, match.pixel, expected_in_rig_mm);
-        const auto drawn =
-            place ? drawn_for(options.method, patch, left, camera, *place) : std::nullopt;
+        auto drawn = place ? drawn_for(options.method, patch, left, camera, *place) : std::nullopt;
         const auto found = drawn ? match_drawn(*drawn, grey, 2, 2, options) : std::nullopt;
         if (!found || (found->match.pixel - start).norm() > farthest_refinement_px) {
-            return;
+            return last;
         }
         Eigen::Vector2d pixel = found->match.pixel;
         match.covariance_px2 = match_covariance_px2(
@@ -130,9 +141,29 @@ void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
         match.pixel = pixel;
         match.quality = found->match.quality;
         match.size_px = found->match.size_px;
+        last = std::move(drawn);
         if (moved < settled_px) {
-            return;
+            return last;
         }
+    }
+    return last;
+}
+
+// How the target has turned and grown beside the patch as drawn; and where something hides a part
+// of it, the place that the rest of it says.
+void measure_change(PatchMatch& match, const RenderedPatch& drawn, const Image& grey) {
+    const Rectangle inner = drawn.inner();
+    const Eigen::Vector2d middle(0.5 * (inner.width - 1), 0.5 * (inner.height - 1));
+    const Eigen::Vector2d start = match.pixel - drawn.centre + middle;
+    const auto fit = fit_similarity(grey, drawn.picture, inner, start, drawn.mask_or_null());
+    if (!fit) {
+        return;
+    }
+    match.change =
+        MeasuredChange{{fit->scale, fit->turn_rad}, fit->scale_sigma, fit->turn_sigma_rad};
+    const Eigen::Vector2d moved = fit->centre_px - start;
+    if (fit->outlier_share > hidden_share && moved.norm() < farthest_fit_px) {
+        match.pixel += moved;
     }
 }
 
@@ -140,20 +171,26 @@ void refine(PatchMatch& match, const ReferencePatch& patch, const Camera& left,
 
 std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camera& left,
                                         const Camera& camera, const Image& grey,
-                                        const Eigen::Vector3d& expected_in_rig_mm, int radius_px,
-                                        const PatchSearchOptions& options, SearchDetail* detail) {
-    const auto drawn = drawn_for(options.method, patch, left, camera, expected_in_rig_mm);
+                                        const WindowScope& scope, const PatchSearchOptions& options,
+                                        SearchDetail* detail) {
+    const auto drawn = drawn_for(options.method, patch, left, camera, scope.expected_in_rig_mm);
     if (!drawn) {
         return std::nullopt;
     }
-    auto found = match_drawn(*drawn, grey, radius_px, radius_px, options, detail);
+    auto found = match_drawn(*drawn, grey, scope.radius_px, scope.radius_px, options,
+                             scope.reach_px, detail);
     if (!found) {
         return std::nullopt;
     }
-    const double whole_pixel_quality = found->match.quality;
-    refine(found->match, patch, left, camera, grey, expected_in_rig_mm, options);
-    found->match.distinctness += found->match.quality - whole_pixel_quality;
-    return found->match;
+    PatchMatch& match = found->match;
+    const double whole_pixel_quality = match.quality;
+    const auto last = refine(match, patch, left, camera, grey, scope.expected_in_rig_mm, options);
+    if (last && options.measure_change) {
+        measure_change(match, *last, grey);
+    }
+    match.distinctness += match.quality - whole_pixel_quality;
+    match.lead += match.quality - whole_pixel_quality;
+    return match;
 }
 
 std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig& rig,

@@ -11,31 +11,48 @@
 
 namespace kambara {
 
+/// A planar change with its standard deviations.
+struct MeasuredChange {
+    PlanarChange value;
+    double scale_sigma = 0.0;
+    double turn_sigma_rad = 0.0;
+};
+
 /// Where a patch was found in a picture.
 struct PatchMatch {
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< of the reference point, sub-pixel
     Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
     double quality = 0.0;       ///< in [0, 1]
     double distinctness = 1.0;  ///< quality less that of the next best place; 1 if there is none
+    double lead = 1.0;          ///< quality less that of the likest rival (rival.h); likewise
     bool on_border = false;     ///< the best may lie outside the region searched
     Eigen::Vector2i size_px = Eigen::Vector2i::Zero();  ///< of the patch as drawn there
+    /// How the target has turned and grown beside the patch as it was drawn, where that was asked
+    /// for and could be told.
+    std::optional<MeasuredChange> change;
 };
 
 struct PatchSearchOptions {
     MatchMethod method;
     /// Standard deviation added to every match for what the patch's flatness leaves out.
     double floor_px = 0.03;
+    bool measure_change = true;  ///< in window searches: how the target has turned and grown
 };
 
-/// Looks for the patch in a window of `radius_px` about where it would be seen with its reference
-/// point at `expected_in_rig_mm`, then refines: the patch is drawn again at the place found, until
-/// it no longer moves, so that the sub-pixel peak is sought around zero shift. `grey` is the
+/// Where to look in a window.
+struct WindowScope {
+    Eigen::Vector3d expected_in_rig_mm;  ///< the reference point as predicted
+    int radius_px = 24;                  ///< about where that is seen
+    double reach_px = 24.0;              ///< how far off the prediction may well be
+};
+
+/// Looks for the patch in a window, then refines: the patch is drawn again at the place found,
+/// until it no longer moves, so that the sub-pixel peak is sought around zero shift. `grey` is the
 /// picture of `camera`. The distance along the ray is kept as expected. Empty where there is no
 /// place to look at. `detail`, where there is one, gets the scores of the window.
 std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camera& left,
                                         const Camera& camera, const Image& grey,
-                                        const Eigen::Vector3d& expected_in_rig_mm, int radius_px,
-                                        const PatchSearchOptions& options,
+                                        const WindowScope& scope, const PatchSearchOptions& options,
                                         SearchDetail* detail = nullptr);
 
 /// Looks for the patch in the right picture along the epipolar curve of its centre, in a band of

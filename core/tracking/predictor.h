@@ -17,6 +17,7 @@ class Predictor {
     /// first measurement. The extrapolation stops after half a second: beyond it, the last velocity
     /// says nothing.
     std::optional<Eigen::Vector3d> at(std::int64_t time_ns) const;
+    bool has_velocity() const { return has_velocity_; }
 
   private:
     std::optional<Eigen::Vector3d> point_mm_;

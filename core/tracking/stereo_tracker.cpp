@@ -11,20 +11,40 @@ namespace kambara {
 namespace {
 
 constexpr int frames_between_full_searches = 5;
-constexpr double preferred_by = 0.05;  // so much worse may the first template be and still decide
+constexpr double preferred_by = 0.05;   // so much worse may the first template be and still decide
+constexpr double surprise_kept = 0.8;   // from one pair to the next
+constexpr double surprise_grows = 1.5;  // likewise, while it is not seen
+constexpr double reach_by_surprise = 2.0;
+constexpr double least_reach_px = 4.0;
+constexpr int realigned_within_px = 5;
+constexpr double least_forward = 0.02;  // of a ray's direction, to meet a plane before the rig
 
-// A template of the target as it is seen now, of the size it has now. Refused where it would reach
-// out of the picture or lacks texture.
-Result<ReferencePatch> cut_anew(const StereoFrame& frame, const TargetMeasurement& measured) {
+// A template of the target as it is seen now, about `pixel`, of the size it has now. Refused where
+// it would reach out of the picture or lacks texture.
+Result<ReferencePatch> cut_anew(const StereoFrame& frame, const TargetMeasurement& measured,
+                                const Eigen::Vector2d& pixel) {
     const Eigen::Vector2i size = measured.left.size_px;
-    const Eigen::Vector2d corner =
-        measured.left.pixel - 0.5 * (size.cast<double>() - Eigen::Vector2d::Ones());
+    const Eigen::Vector2d corner = pixel - 0.5 * (size.cast<double>() - Eigen::Vector2d::Ones());
     const Rectangle rectangle{static_cast<int>(std::lround(corner.x())),
                               static_cast<int>(std::lround(corner.y())), size.x(), size.y()};
     if (const auto fit = check_template(*frame.left.picture, rectangle); !fit) {
         return fit.error();
     }
-    return ReferencePatch{frame.left.picture, measured.left.pixel, size, measured.point_in_rig_mm};
+    return ReferencePatch{frame.left.picture, pixel, size, measured.point_in_rig_mm, {}};
+}
+
+// The share of a measured step to take, when steps have the one deviation and measurements the
+// other: theirs is told as if the pixels erred independently, which those of a target that bends or
+// of a background do not.
+double gain(double step_sigma, double measured_sigma) {
+    constexpr double not_independent = 3.0;
+    const double step = step_sigma * step_sigma;
+    const double measured = not_independent * measured_sigma;
+    return step / (step + measured * measured);
+}
+
+double quality_of(const std::optional<TargetMeasurement>& measured) {
+    return measured && !measured->ambiguous ? measured->quality : 0.0;
 }
 
 std::string percent(double share) {
@@ -56,27 +76,29 @@ Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectang
                      "Choose a place nearer to the middle of the picture."};
     }
     clear();
-    first_ = ReferencePatch{frame.left.picture, centre,
-                            Eigen::Vector2i(rectangle.width, rectangle.height),
-                            ray->at(options_.assumed_range_mm)};
-    estimate_.template_size_px = first_->size_px;
+    looks_.emplace(ReferencePatch{frame.left.picture,
+                                  centre,
+                                  Eigen::Vector2i(rectangle.width, rectangle.height),
+                                  ray->at(options_.assumed_range_mm),
+                                  {}});
+    estimate_.template_size_px = looks_->first().size_px;
     become(TrackState::template_set, "");
     PatchMatch here;
     here.pixel = centre;
     here.quality = 1.0;
-    here.size_px = first_->size_px;
+    here.size_px = looks_->first().size_px;
     here.covariance_px2 =
         options_.search.floor_px * options_.search.floor_px * Eigen::Matrix2d::Identity();
     auto detail = std::make_shared<SearchDetail>();
-    adopt(complete_from_left(rig_, options_, frame, SearchScope{first_->point_in_rig_mm}, here,
-                             detail.get()),
+    adopt(complete_from_left(rig_, options_, frame, SearchScope{looks_->first().point_in_rig_mm},
+                             here, detail.get()),
           frame);
     estimate_.search = std::move(detail);
     return Done{};
 }
 
 Result<Done> StereoTracker::start() {
-    if (!first_) {
+    if (!looks_) {
         return Error{"There is no template to follow.", "Choose one in the left picture first."};
     }
     started_ = true;
@@ -86,14 +108,13 @@ Result<Done> StereoTracker::start() {
 void StereoTracker::stop() {
     started_ = false;
     estimate_.forget_place();
-    if (first_) {
+    if (looks_) {
         become(TrackState::template_set, "");
     }
 }
 
 void StereoTracker::clear() {
-    first_.reset();
-    latest_.reset();
+    looks_.reset();
     last_measured_.reset();
     sure_place_in_rig_mm_.reset();
     last_frame_.reset();
@@ -101,6 +122,7 @@ void StereoTracker::clear() {
     range_known_ = false;
     started_ = false;
     place_unknown_ = false;
+    surprise_px_ = 0.0;
     frames_in_state_ = 0;
     frames_since_update_ = 0;
     estimate_ = {};
@@ -119,18 +141,17 @@ Result<Done> StereoTracker::update_template() {
         return Error{"The target is not in sight, so its template can't be updated.",
                      "Wait until it is tracked, or choose a new template."};
     }
-    const auto cut = cut_anew(*last_frame_, *last_measured_);
+    const auto cut = cut_anew(*last_frame_, *last_measured_, last_measured_->left.pixel);
     if (!cut) {
         return cut.error();
     }
-    first_ = *cut;
-    latest_.reset();
+    looks_.emplace(*cut);
     ++estimate_.template_updates;
     return Done{};
 }
 
 TrackEstimate StereoTracker::process(const StereoFrame& frame) {
-    if (!started_ || !first_) {
+    if (!started_ || !looks_) {
         if (frame.left.index != estimate_.frame) {
             estimate_.forget_place();  // it was measured in another pair
         }
@@ -142,7 +163,9 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     const bool everywhere = lost && frames_in_state_ % frames_between_full_searches == 1;
     estimate_.forget_place();
     estimate_.frame = frame.left.index;
-    const auto measured = measure(frame, expected_place(frame.left.time_ns), lost, everywhere);
+    const SearchScope scope{expected_place(frame.left.time_ns), range_known_, lost, everywhere,
+                            reach_px(frame.left.time_ns)};
+    const auto measured = measure(frame, scope);
     estimate_.quality = measured ? measured->left.quality : 0.0;
     if (!measured) {
         place_unknown_ = false;  // from here on it is Lost, which looks everywhere as well
@@ -151,12 +174,35 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     } else if (measured->left.quality < options_.lost_quality) {
         miss("the most similar place in the left picture is only " +
              percent(measured->left.quality) + " alike");
+    } else if (measured->ambiguous) {
+        surprise_px_ = std::max(surprise_px_, 1.0) * surprise_grows;
+        judge(*measured);
     } else {
+        note_surprise(*measured, scope.expected_in_rig_mm);
         adopt(*measured, frame);
         judge(*measured);
+        follow_change(*measured);
         refresh_template(*measured, frame);
     }
+    describe_size();
     return estimate_;
+}
+
+// How far off the prediction the target may well be in the left picture.
+double StereoTracker::reach_px(std::int64_t time_ns) const {
+    if (!predictor_.has_velocity()) {
+        const double since_s = static_cast<double>(time_ns - sure_time_ns_) * 1e-9;
+        return std::max(options_.fastest_px_s * since_s, least_reach_px);
+    }
+    return least_reach_px + reach_by_surprise * surprise_px_;
+}
+
+void StereoTracker::note_surprise(const TargetMeasurement& measured,
+                                  const Eigen::Vector3d& expected_in_rig_mm) {
+    if (const auto expected = rig_.left.project(expected_in_rig_mm)) {
+        const double now_px = (measured.left.pixel - *expected).norm();
+        surprise_px_ = std::max(now_px, surprise_kept * surprise_px_);
+    }
 }
 
 // Where the target is thought to be. Once it is lost, a place in sight and at the distance it was
@@ -164,48 +210,81 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
 // motion towards or from the camera that goes on and on would soon make it too large or too small
 // to be seen.
 Eigen::Vector3d StereoTracker::expected_place(std::int64_t time_ns) const {
-    const Eigen::Vector3d expected = predictor_.at(time_ns).value_or(first_->point_in_rig_mm);
+    const Eigen::Vector3d expected =
+        predictor_.at(time_ns).value_or(looks_->first().point_in_rig_mm);
     if (estimate_.state != TrackState::lost && !place_unknown_) {
         return expected;
     }
     const auto pixel = rig_.left.project(expected);
-    const Eigen::Vector3d last = sure_place_in_rig_mm_.value_or(first_->point_in_rig_mm);
+    const Eigen::Vector3d last = sure_place_in_rig_mm_.value_or(looks_->first().point_in_rig_mm);
     const Eigen::Vector2d middle(0.5 * (rig_.left.width_px - 1), 0.5 * (rig_.left.height_px - 1));
-    const Eigen::Vector2d half = 0.5 * first_->size_px.cast<double>();
+    const Eigen::Vector2d half = 0.5 * looks_->first().size_px.cast<double>();
     const Eigen::Vector2d nearest =
         pixel ? Eigen::Vector2d(pixel->cwiseMax(half).cwiseMin(2.0 * middle - half)) : middle;
     const auto ray = rig_.left.unproject(nearest);
-    return ray ? ray->at((last - rig_.left.T_camera_from_rig.centre_mm()).norm()) : expected;
+    return ray && ray->direction.z() > least_forward
+               ? ray->at((last.z() - ray->origin_mm.z()) / ray->direction.z())
+               : expected;
 }
 
-// With both templates, the first decides unless it fits clearly worse.
+// The first template decides unless a later one fits clearly better.
 std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame,
-                                                        const Eigen::Vector3d& expected_in_rig_mm,
-                                                        bool lost, bool everywhere) {
-    const SearchScope scope{expected_in_rig_mm, range_known_, lost, everywhere};
+                                                        const SearchScope& scope) {
     auto detail = std::make_shared<SearchDetail>();
-    auto by_first = search_target(rig_, options_, *first_, frame, scope, detail.get());
+    auto best = search_target(rig_, options_, looks_->first(), frame, scope, detail.get());
+    std::size_t best_look = 0;
+    double to_beat = quality_of(best) + preferred_by;
+    for (const std::size_t look : looks_->later_by_use()) {
+        if (best && !best->ambiguous && best->left.quality >= options_.good_enough_quality) {
+            break;
+        }
+        auto other_detail = std::make_shared<SearchDetail>();
+        auto other =
+            search_target(rig_, options_, looks_->at(look), frame, scope, other_detail.get());
+        if (quality_of(other) > to_beat) {
+            to_beat = quality_of(other);
+            best = std::move(other);
+            detail = std::move(other_detail);
+            best_look = look;
+        }
+    }
     estimate_.search = std::move(detail);
-    first_seen_px_.reset();
-    if (by_first && by_first->left.quality >= options_.lost_quality) {
-        first_seen_px_ = by_first->left.pixel;
+    measured_by_first_ = best_look == 0;
+    if (best && best_look > 0) {
+        looks_->used(best_look);
     }
-    if (!latest_ || (by_first && by_first->quality >= options_.update_quality)) {
-        return by_first;
+    return best;
+}
+
+// What was measured is weighed against what a target is likely to do from one pair to the next.
+void StereoTracker::follow_change(const TargetMeasurement& measured) {
+    const bool sure = estimate_.state == TrackState::tracking;
+    if (!measured.left.change || !sure) {
+        return;
     }
-    detail = std::make_shared<SearchDetail>();
-    auto by_latest = search_target(rig_, options_, *latest_, frame, scope, detail.get());
-    if (!by_latest || (by_first && by_first->quality >= by_latest->quality - preferred_by)) {
-        return by_first;
+    const MeasuredChange& change = *measured.left.change;
+    PlanarChange step;
+    step.turn_rad = gain(options_.turn_sigma_rad, change.turn_sigma_rad) * change.value.turn_rad;
+    if (!rig_.right) {  // else its distance tells
+        step.scale = std::pow(change.value.scale, gain(options_.growth_sigma, change.scale_sigma));
     }
-    estimate_.search = std::move(detail);
-    return by_latest;
+    looks_->change(step);
+}
+
+// The operator's rectangle as it would be drawn now.
+void StereoTracker::describe_size() {
+    const ReferencePatch& first = looks_->first();
+    const bool known = range_known_ && sure_place_in_rig_mm_ && sure_place_in_rig_mm_->z() > 0.0;
+    const double nearer = known ? first.point_in_rig_mm.z() / sure_place_in_rig_mm_->z() : 1.0;
+    estimate_.scale = first.change.scale * nearer;
+    estimate_.turn_rad = first.change.turn_rad;
 }
 
 void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& frame) {
     last_measured_ = measured;
     last_frame_ = frame;
     place_unknown_ = false;
+    sure_time_ns_ = frame.left.time_ns;
     estimate_.frame = frame.left.index;
     estimate_.left_px = measured.left.pixel;
     estimate_.right_px.reset();
@@ -227,8 +306,9 @@ void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& 
 // From the first position on, the template's own distance is known and its size can be followed.
 void StereoTracker::anchor(const Eigen::Vector3d& point_in_rig_mm) {
     const Eigen::Vector3d eye = rig_.left.T_camera_from_rig.centre_mm();
-    if (const auto ray = rig_.left.unproject(first_->centre_px)) {
-        first_->point_in_rig_mm = ray->at((point_in_rig_mm - eye).norm());
+    ReferencePatch& first = looks_->first();
+    if (const auto ray = rig_.left.unproject(first.centre_px)) {
+        first.point_in_rig_mm = ray->at((point_in_rig_mm - eye).norm());
         range_known_ = true;
     }
 }
@@ -248,23 +328,57 @@ void StereoTracker::judge(const TargetMeasurement& measured) {
     }
 }
 
+// Where the first template says that the target is, close to where it was measured; where it no
+// longer sees it at all, as measured. Empty where the two disagree.
+std::optional<Eigen::Vector2d> StereoTracker::aligned_by_first(const TargetMeasurement& measured,
+                                                               const Image& grey) const {
+    if (measured_by_first_) {
+        return measured.left.pixel;
+    }
+    const auto by_first =
+        search_window(looks_->first(), rig_.left, rig_.left, grey,
+                      {measured.point_in_rig_mm, realigned_within_px, 0.0}, options_.search);
+    if (!by_first || by_first->quality < options_.lost_quality) {
+        return measured.left.pixel;
+    }
+    const bool agreed =
+        (by_first->pixel - measured.left.pixel).norm() <= options_.update_agreement_px;
+    return agreed ? std::optional(by_first->pixel) : std::nullopt;
+}
+
 void StereoTracker::refresh_template(const TargetMeasurement& measured, const StereoFrame& frame) {
-    // Where the first template still sees the target at all, it must be here.
-    const bool agreed = !first_seen_px_ || (*first_seen_px_ - measured.left.pixel).norm() <
-                                               options_.update_agreement_px;
-    const bool safe = estimate_.state == TrackState::tracking && range_known_ && agreed;
-    if (options_.automatic_update && safe && measured.quality < options_.update_quality &&
-        frames_since_update_ >= options_.update_interval_frames) {
-        frames_since_update_ = 0;
-        if (const auto cut = cut_anew(frame, measured)) {
-            latest_ = *cut;
-            ++estimate_.template_updates;
-        }
+    const bool safe = estimate_.state == TrackState::tracking && (range_known_ || !rig_.right);
+    const bool first_will_do =
+        measured_by_first_ && measured.left.quality >= options_.good_enough_quality;
+    if (!options_.automatic_update || !safe || first_will_do) {
+        return;
+    }
+    const auto aligned = aligned_by_first(measured, *frame.left.picture);
+    if (!aligned) {
+        return;
+    }
+    const Eigen::Vector2d pixel = *aligned;
+    const auto ray = rig_.left.unproject(pixel);
+    if (!ray || ray->direction.z() < least_forward) {
+        return;
+    }
+    const Eigen::Vector3d place =
+        ray->at((measured.point_in_rig_mm.z() - ray->origin_mm.z()) / ray->direction.z());
+    looks_->blend(rig_.left, *frame.left.picture, place, options_.blend_share);
+    if (measured.left.quality >= options_.update_quality ||
+        frames_since_update_ < options_.update_interval_frames) {
+        return;
+    }
+    frames_since_update_ = 0;
+    if (const auto cut = cut_anew(frame, measured, pixel)) {
+        looks_->add(*cut);
+        ++estimate_.template_updates;
     }
 }
 
 void StereoTracker::miss(const std::string& why) {
     become(TrackState::lost, why);
+    surprise_px_ = std::max(surprise_px_, 1.0) * surprise_grows;
     if (frames_in_state_ >= options_.give_up_frames) {
         started_ = false;
         become(TrackState::template_set, "given up: " + why);

@@ -12,7 +12,7 @@
 #include "core/image/frame.h"
 #include "core/image/rectangle.h"
 #include "core/stereo/position.h"
-#include "core/tracking/patch.h"
+#include "core/tracking/appearance_bank.h"
 #include "core/tracking/predictor.h"
 #include "core/tracking/search_detail.h"
 #include "core/tracking/target_search.h"
@@ -30,6 +30,8 @@ struct TrackEstimate {
     double quality = 0.0;                     ///< in [0, 1]: the weaker of both pictures'
     std::optional<Position> position;
     Eigen::Vector2i template_size_px = Eigen::Vector2i::Zero();
+    double scale = 1.0;     ///< of the target in the left picture, against when it was chosen
+    double turn_rad = 0.0;  ///< likewise, from the picture's x towards its y
     int template_updates = 0;
     std::shared_ptr<const SearchDetail> search;  ///< null while nothing is looked for
 
@@ -38,6 +40,7 @@ struct TrackEstimate {
 };
 
 /// Follows one target through stereo pairs: window search left, epipolar search right, position.
+/// With one camera alone, through its pictures: a direction, and the target's growth and turn.
 ///
 ///            set_template            start                 good match in both
 ///   Idle ------------------> TemplateSet ------> Tracking <------------------+
@@ -49,10 +52,13 @@ struct TrackEstimate {
 ///                              +------------------ Lost -------------------->+
 ///                                                 (search widens)
 ///
-/// The template cut at first stays the reference. When the view of it changes so much that it fits
-/// badly, a fresh one is cut from a good and safe match and used beside it; whenever the first fits
-/// well again it decides, so that the place does not creep. Owned and used by one thread. Pictures
-/// are grey and of the rig's size.
+/// The template cut at first stays the reference. How the target turns in the picture is measured
+/// and followed; how it grows, where its distance does not tell. When the view of it changes so
+/// much that the first template fits badly, a fresh one is cut from a good and safe match, at the
+/// place that the first one says, and kept in a bank beside it; whenever the first fits well again
+/// it decides, so that the place does not creep. A match is taken only where no other place that
+/// the target may have reached looks the same. Owned and used by one thread. Pictures are grey and
+/// of the rig's size.
 class StereoTracker {
   public:
     explicit StereoTracker(Rig rig, TrackerOptions options = {});
@@ -76,31 +82,36 @@ class StereoTracker {
     bool started() const { return started_; }
 
   private:
-    std::optional<TargetMeasurement> measure(const StereoFrame& frame,
-                                             const Eigen::Vector3d& expected_in_rig_mm, bool lost,
-                                             bool everywhere);
+    std::optional<TargetMeasurement> measure(const StereoFrame& frame, const SearchScope& scope);
     Eigen::Vector3d expected_place(std::int64_t time_ns) const;
+    double reach_px(std::int64_t time_ns) const;
     void adopt(const TargetMeasurement& measured, const StereoFrame& frame);
+    void note_surprise(const TargetMeasurement& measured, const Eigen::Vector3d& expected);
+    void follow_change(const TargetMeasurement& measured);
     void judge(const TargetMeasurement& measured);
     void anchor(const Eigen::Vector3d& point_in_rig_mm);
+    std::optional<Eigen::Vector2d> aligned_by_first(const TargetMeasurement& measured,
+                                                    const Image& grey) const;
     void refresh_template(const TargetMeasurement& measured, const StereoFrame& frame);
+    void describe_size();
     void miss(const std::string& why);
     void become(TrackState state, std::string reason);
 
     Rig rig_;
     TrackerOptions options_;
     TrackEstimate estimate_;
-    std::optional<ReferencePatch> first_;   // the operator's: the reference
-    std::optional<ReferencePatch> latest_;  // cut on the way, where the first fits badly
+    std::optional<AppearanceBank> looks_;
     bool range_known_ = false;
     bool place_unknown_ = false;
     bool started_ = false;
+    bool measured_by_first_ = false;
     int frames_in_state_ = 0;
     int frames_since_update_ = 0;
     std::optional<StereoFrame> last_frame_;
     std::optional<TargetMeasurement> last_measured_;
     std::optional<Eigen::Vector3d> sure_place_in_rig_mm_;  // when it was last Tracking
-    std::optional<Eigen::Vector2d> first_seen_px_;  // by the first template, in the last pair
+    double surprise_px_ = 0.0;  // how far it was off its predicted place of late
+    std::int64_t sure_time_ns_ = 0;
     Predictor predictor_;
 };
 

@@ -2,6 +2,7 @@
 #include "core/tracking/target_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -15,31 +16,57 @@ std::string metres(double length_mm) {
     return text.str();
 }
 
+bool is_clear(const TrackerOptions& options, const PatchMatch& found) {
+    return found.quality >= options.found_quality &&
+           found.distinctness >= options.least_distinctness;
+}
+
 std::optional<PatchMatch> find_left(const Rig& rig, const TrackerOptions& options,
                                     const ReferencePatch& patch, const Image& grey,
                                     const SearchScope& scope, SearchDetail* detail) {
     const auto look = [&](int radius_px) {
-        return search_window(patch, rig.left, rig.left, grey, scope.expected_in_rig_mm, radius_px,
-                             options.search, detail);
+        return search_window(patch, rig.left, rig.left, grey,
+                             {scope.expected_in_rig_mm, radius_px, scope.reach_px}, options.search,
+                             detail);
     };
-    const auto clear = [&](const std::optional<PatchMatch>& found) {
-        return found && found->quality >= options.found_quality &&
-               found->distinctness >= options.least_distinctness;
+    const auto only_if_clear = [&](std::optional<PatchMatch> found) {
+        return found && is_clear(options, *found) ? found : std::nullopt;
     };
-    // Once lost, a likeness near by is no reason not to look for a better one elsewhere.
+    // Once lost, a likeness near by is no reason not to look for a better one elsewhere; and once
+    // it may be anywhere, only a look everywhere can tell it from its likes.
     if (scope.lost && scope.everywhere) {
-        const auto found = look(std::max(grey.width(), grey.height()));
-        return clear(found) ? found : std::nullopt;
+        return only_if_clear(look(std::max(grey.width(), grey.height())));
     }
-    const auto near_by = look(options.window_radius_px);
+    if (scope.lost && scope.reach_px > options.wide_radius_px) {
+        return std::nullopt;
+    }
+    const double reach_px = std::min(scope.reach_px, static_cast<double>(options.wide_radius_px));
+    const auto near_by =
+        look(std::max(options.window_radius_px, static_cast<int>(std::ceil(reach_px))));
+    if (scope.lost) {
+        return only_if_clear(near_by);
+    }
     // A best place on the window's edge is a sign of a better one beyond.
-    const bool good = near_by && near_by->quality >= options.good_quality && !near_by->on_border;
-    if (scope.lost || good) {
-        return !scope.lost || clear(near_by) ? near_by : std::nullopt;
+    if (near_by && near_by->quality >= options.good_quality && !near_by->on_border) {
+        return near_by;
     }
     // Beyond the window no prediction tells the target from its likes: it must be a clear case.
-    const auto farther = look(options.wide_radius_px);
-    return clear(farther) ? farther : near_by;
+    const auto farther = only_if_clear(look(options.wide_radius_px));
+    return farther ? farther : near_by;
+}
+
+// Why a match in the left picture may not be the target; empty where it may well be.
+std::string doubt_of(const Rig& rig, const TrackerOptions& options, const PatchMatch& left,
+                     const SearchScope& scope) {
+    if (left.lead < options.least_distinctness) {
+        return "another place where it may be looks the same";
+    }
+    const auto expected = rig.left.project(scope.expected_in_rig_mm);
+    if (!scope.lost && expected && (left.pixel - *expected).norm() > scope.reach_px &&
+        !is_clear(options, left)) {
+        return "what looks most like it is not where it may be";
+    }
+    return {};
 }
 
 // The distances whose right pixels lie within reach of the one expected.
@@ -116,6 +143,11 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
     if (const auto ray = rig.left.unproject(left.pixel)) {
         const Eigen::Vector3d eye = rig.left.T_camera_from_rig.centre_mm();
         result.point_in_rig_mm = ray->at((scope.expected_in_rig_mm - eye).norm());
+    }
+    result.fault = doubt_of(rig, options, left, scope);
+    if (!result.fault.empty()) {
+        result.ambiguous = true;
+        return result;
     }
     if (!rig.right || !frame.right.picture) {
         return result;  // one camera alone gives a direction, and that is no fault

@@ -20,7 +20,8 @@ struct TargetMeasurement {
     std::optional<PatchMatch> right;
     std::optional<Position> position;
     Eigen::Vector3d point_in_rig_mm;  ///< from the position, or at the expected distance
-    std::string fault;                ///< why there is no right match or no position
+    std::string fault;                ///< why it is doubtful, or there is no position
+    bool ambiguous = false;           ///< the left match may be another thing than the target
     double quality = 0.0;             ///< the weaker of both pictures'
 };
 
@@ -30,6 +31,7 @@ struct SearchScope {
     bool range_known = false;
     bool lost = false;        ///< nothing is known of late: only a clear match counts
     bool everywhere = false;  ///< when lost: look over the whole left picture
+    double reach_px = 24.0;   ///< how far off the expected place may be in the left picture
 };
 
 /// Looks for a patch: left in a window about the expected place (then in a wider one; once lost,

@@ -11,20 +11,28 @@ struct TrackerOptions {
     PatchSearchOptions search;
     PositionOptions position;
     RangeBounds range;
-    int window_radius_px = 24;         ///< left, about the predicted place
-    int wide_radius_px = 96;           ///< when the window holds nothing good
-    int band_px = 2;                   ///< right, on both sides of the epipolar curve
-    double right_reach_px = 16.0;      ///< along the curve, about the predicted place
-    double good_quality = 0.70;        ///< at least this: Tracking
-    double lost_quality = 0.50;        ///< less than this: Lost
-    double found_quality = 0.80;       ///< at least this to take a match far from the prediction
-    double least_distinctness = 0.03;  ///< of a match found without a prediction
-    double update_quality = 0.85;      ///< a fresh template is cut when the match falls below this
-    double update_agreement_px = 3.0;  ///< so far at most may the first template see it elsewhere
-    int update_interval_frames = 3;    ///< but no more often than this
-    double farthest_leap = 1.5;        ///< the distance's ratio from one pair to the next
-    int doubtful_frames = 30;          ///< that many in a row: Lost
-    int give_up_frames = 1800;         ///< lost for that many: back to TemplateSet
+    int window_radius_px = 24;          ///< left, about the predicted place
+    int wide_radius_px = 96;            ///< when the window holds nothing good
+    int band_px = 2;                    ///< right, on both sides of the epipolar curve
+    double right_reach_px = 16.0;       ///< along the curve, about the predicted place
+    double good_quality = 0.70;         ///< at least this: Tracking
+    double lost_quality = 0.50;         ///< less than this: Lost
+    double found_quality = 0.80;        ///< at least this to take a match far from the prediction
+    double least_distinctness = 0.03;   ///< of a match found without a prediction
+    double good_enough_quality = 0.95;  ///< of a look: no other is tried
+    double update_quality = 0.93;       ///< a fresh template is cut when all fit worse than this
+    double blend_share = 0.1;           ///< of a new picture in the mean of what was seen of late
+    double update_agreement_px = 3.0;   ///< so far at most may the first template see it elsewhere
+    int update_interval_frames = 1;     ///< but no more often than this
+    /// How fast a target may cross the picture while its motion is not known.
+    double fastest_px_s = 400.0;
+    /// How much it may grow and turn from one pair to the next: deviations, against which what is
+    /// measured is weighed.
+    double growth_sigma = 0.006;
+    double turn_sigma_rad = 0.006;
+    double farthest_leap = 1.5;  ///< the distance's ratio from one pair to the next
+    int doubtful_frames = 30;    ///< that many in a row: Lost
+    int give_up_frames = 1800;   ///< lost for that many: back to TemplateSet
     /// The distance taken until the right picture has told it.
     double assumed_range_mm = 1500.0;
     bool automatic_update = true;

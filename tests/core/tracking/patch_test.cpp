@@ -100,8 +100,8 @@ TEST_F(PatchTest, IsFoundToAFewHundredthsOfAPixelAcrossTheField) {
         const auto truth = rig_.left.project(place);
         ASSERT_TRUE(truth);
         const Eigen::Vector3d guess = place + Eigen::Vector3d(14.0, -9.0, 0.0);
-        const auto found =
-            search_window(patch_, rig_.left, rig_.left, left, guess, 12, PatchSearchOptions{});
+        const auto found = search_window(patch_, rig_.left, rig_.left, left, {guess, 12, 0.0},
+                                         PatchSearchOptions{});
         ASSERT_TRUE(found);
         EXPECT_LT((found->pixel - *truth).norm(), 0.05);
         EXPECT_GT(found->quality, 0.98);
