@@ -24,6 +24,8 @@ class Matcher {
     void set_template(const Image& picture, const Rectangle& rectangle,
                       const Image* mask = nullptr);
     int margin() const { return margin_px(method_.transform); }
+    int width() const { return width_; }  ///< of the template
+    int height() const { return height_; }
 
     /// The scores over `positions` of the template's top-left pixel, clipped to where the template
     /// and what its transform needs lie inside the picture.

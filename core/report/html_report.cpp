@@ -13,6 +13,9 @@ constexpr int bar_step = 20;
 constexpr int label_width = 170;
 constexpr int bars_width = 420;
 constexpr int value_width = 110;
+constexpr double square_side = 260.0;
+constexpr double square_left = 56.0;
+constexpr double square_top = 30.0;
 
 constexpr const char* style =
     "body{font:15px/1.5 sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#1c2733}"
@@ -105,6 +108,45 @@ void HtmlReport::bars(std::string_view title, std::string_view unit, const std::
                  (known ? number(bar.value, decimals) + " " + html_escaped(unit) : "-") +
                  "</text>\n";
         y += bar_step;
+    }
+    body_ += "</svg>\n";
+}
+
+void HtmlReport::unit_square(std::string_view title, std::string_view across, std::string_view up,
+                             const std::vector<Point>& points) {
+    const auto x_of = [](double x) { return number(square_left + square_side * x, 1); };
+    const auto y_of = [](double y) { return number(square_top + square_side * (1.0 - y), 1); };
+    const auto line = [&](double x1, double y1, double x2, double y2, const char* colour) {
+        body_ += "<line x1=\"" + x_of(x1) + "\" y1=\"" + y_of(y1) + "\" x2=\"" + x_of(x2) +
+                 "\" y2=\"" + y_of(y2) + "\" stroke=\"" + colour + "\"/>";
+    };
+    const auto text = [&](double x, double y, const std::string& more, std::string_view what) {
+        body_ += "<text x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) + "\"" + more + ">" +
+                 html_escaped(what) + "</text>";
+    };
+    const double bottom = square_top + square_side;
+    body_ += "<svg width=\"" + number(square_left + square_side + 20, 0) + "\" height=\"" +
+             number(bottom + 44, 0) + "\" role=\"img\">";
+    text(0, 14, " font-weight=\"bold\"", title);
+    for (const double mark : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+        line(mark, 0.0, mark, 1.0, "#e4e9ee");
+        line(0.0, mark, 1.0, mark, "#e4e9ee");
+        text(square_left + square_side * mark, bottom + 16, " text-anchor=\"middle\"",
+             number(mark, 1));
+        text(square_left - 8, square_top + square_side * (1.0 - mark) + 4, " text-anchor=\"end\"",
+             number(mark, 1));
+    }
+    line(0.0, 0.0, 1.0, 1.0, "#8796a5");
+    text(square_left + 0.5 * square_side, bottom + 34, " text-anchor=\"middle\"", across);
+    const std::string middle = number(square_top + 0.5 * square_side, 1);
+    text(14, square_top + 0.5 * square_side,
+         " text-anchor=\"middle\" transform=\"rotate(-90 14 " + middle + ")\"", up);
+    for (const Point& point : points) {
+        if (std::isfinite(point.x) && std::isfinite(point.y)) {
+            const double radius = 3.0 + 18.0 * std::sqrt(std::clamp(point.share, 0.0, 1.0));
+            body_ += "<circle cx=\"" + x_of(point.x) + "\" cy=\"" + y_of(point.y) + "\" r=\"" +
+                     number(radius, 1) + "\" fill=\"#2f6f9f\" fill-opacity=\".7\"/>";
+        }
     }
     body_ += "</svg>\n";
 }

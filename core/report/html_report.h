@@ -7,8 +7,9 @@
 
 namespace kambara {
 
-/// A page of results in one HTML file that needs no other: headings, paragraphs, tables and bar
-/// charts (as inline SVG), one after the other as they are added. All text is escaped.
+/// A page of results in one HTML file that needs no other: headings, paragraphs, tables, bar
+/// charts and point charts (as inline SVG), one after the other as they are added. All text is
+/// escaped.
 class HtmlReport {
   public:
     explicit HtmlReport(std::string_view title);
@@ -27,6 +28,16 @@ class HtmlReport {
     /// Bars from 0 on, one below the other, with their values; `unit` stands behind each.
     void bars(std::string_view title, std::string_view unit, const std::vector<Bar>& bars,
               int decimals);
+
+    struct Point {
+        double x = 0.0;
+        double y = 0.0;
+        double share = 0.0;  ///< of all there is: the area it is drawn with
+    };
+    /// Points in a square whose axes run from 0 to 1, with its diagonal: what was said, across,
+    /// beside what turned out, upwards.
+    void unit_square(std::string_view title, std::string_view across, std::string_view up,
+                     const std::vector<Point>& points);
 
     std::string text() const;
 

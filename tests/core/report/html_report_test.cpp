@@ -36,5 +36,17 @@ TEST(HtmlReport, BarsAreAsLongAsTheirValues) {
     EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 
+TEST(HtmlReport, PointsLieWhereTheirCoordinatesSay) {
+    HtmlReport report("t");
+    report.unit_square(
+        "kept promises", "said", "so",
+        {{0.0, 0.0, 1.0}, {1.0, 0.5, 0.25}, {std::numeric_limits<double>::quiet_NaN(), 0.5, 0.1}});
+    const std::string text = report.text();
+    EXPECT_NE(text.find("<circle cx=\"56.0\" cy=\"290.0\" r=\"21.0\""), std::string::npos);
+    EXPECT_NE(text.find("<circle cx=\"316.0\" cy=\"160.0\" r=\"12.0\""), std::string::npos);
+    EXPECT_NE(text.find(">said</text>"), std::string::npos);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace kambara
