@@ -13,14 +13,22 @@ using Eigen::Array3d;
 using Eigen::Vector3d;
 
 // Off the cameras' axes, which lie at x = 0 and 450: what is near the cameras gets little light.
-const Vector3d lamp_places_mm[] = {{-300.0, -150.0, 0.0}, {750.0, -150.0, 0.0}};
+const Vector3d lamp_places_mm[] = {{-500.0, -200.0, 0.0}, {950.0, -200.0, 0.0}};
 const Vector3d aimed_at_mm(225.0, 100.0, 1500.0);
-constexpr double beam_sigma_rad = rad_from_deg(24.0);
+constexpr double brightest_veil_grey = 100.0;
+constexpr double beam_sigma_rad = rad_from_deg(20.0);
 
 }  // namespace
 
 Lamps::Lamps(const Water& water) : water_(water) {
     scale_ = 1.0 / light_at(aimed_at_mm)[1];
+    std::vector<double> ranges_mm;
+    for (double range_mm = 50.0; range_mm < 10000.0; range_mm *= 1.1) {
+        ranges_mm.push_back(range_mm);
+    }
+    const double veil =
+        along({{0.0, 0.0, 0.0}, aimed_at_mm.normalized()}, ranges_mm).back().veil[1];
+    scale_ *= std::min(1.0, brightest_veil_grey / std::max(veil, 1e-9));
 }
 
 Array3d Lamps::light_at(const Vector3d& point_in_rig_mm) const {

@@ -22,7 +22,8 @@ class Lamps {
     explicit Lamps(const Water& water);
 
     /// Light on a place, for each lamp at the distance d its pattern times exp(-c d) / d^2; scaled
-    /// so that green is 1, as sunlight is, 1.5 m before the rig.
+    /// so that green is 1, as sunlight is, 1.5 m before the rig. In very turbid water it is less,
+    /// as a camera would be stopped down: straight ahead, the veil is 100 grey levels at the most.
     Eigen::Array3d light_at(const Eigen::Vector3d& point_in_rig_mm) const;
 
     /// At each of the rising ranges. The veil is summed in slabs between them: each sends back its

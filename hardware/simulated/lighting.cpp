@@ -9,9 +9,9 @@
 namespace kambara {
 namespace {
 
-// The lamps' light changes little over 32 pixels, and over a tenth of the range.
+// The lamps' light changes little over 32 pixels, and over 7 % of the range.
 constexpr int table_step_px = 32;
-constexpr int table_ranges = 72;
+constexpr int table_ranges = 96;
 constexpr double nearest_mm = 30.0;
 constexpr double farthest_mm = 20000.0;
 

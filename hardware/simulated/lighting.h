@@ -31,7 +31,9 @@ struct Channels<Colour> {
     static constexpr int count = 3;
     static Eigen::Array3d of(const Eigen::Array3d& colours) { return colours; }
     static Colour level(const Eigen::Array3d& rates) { return rates.cast<float>(); }
-    static Eigen::Array3d exp(const Eigen::Array3d& rates) { return rates.exp(); }
+    static Eigen::Array3d exp(const Eigen::Array3d& rates) {
+        return {std::exp(rates[0]), std::exp(rates[1]), std::exp(rates[2])};  // Eigen's is slower
+    }
     static Colour flat(float grey) { return Colour::Constant(grey); }
 };
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double focused_at_mm = 1500.0;
 constexpr double aperture_mm = 2.0;
 constexpr double pixel_radius_px = 0.56;  // of the disc with a pixel's area
-constexpr float faintest = 0.004F;        // a share of a pixel that no grey level shows
+constexpr float faintest = 0.01F;  // a share of a pixel that is worth a grey level at the most
 
 bool hidden(const std::vector<Sheet>& sheets, const Eigen::Vector3d& place) {
     return std::any_of(sheets.begin(), sheets.end(),
@@ -70,8 +70,8 @@ std::vector<Disc> discs_of(const Scene& scene, double time_s, const Camera& came
             discs.push_back(disc_of(flake, *pixel, place, f_px));
         }
     }
-    std::stable_sort(discs.begin(), discs.end(),
-                     [](const Disc& a, const Disc& b) { return a.range_mm > b.range_mm; });
+    std::sort(discs.begin(), discs.end(),
+              [](const Disc& a, const Disc& b) { return a.range_mm > b.range_mm; });
     return discs;
 }
 

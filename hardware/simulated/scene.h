@@ -54,6 +54,7 @@ class Scene {
     }
     /// And at any other.
     double blur_px_at(double range_mm) const;
+    double blur_px_a_length() const { return profile_.blur_px; }  ///< of attenuation
 
     /// The pose of the thing in front of the seabed. For the moving target: its centre, x and y
     /// along its sides. For a calibration target: its own frame W.

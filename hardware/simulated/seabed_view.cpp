@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hardware/simulated/seabed_view.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "hardware/simulated/blur.h"
 
 namespace kambara {
 namespace {
+
+constexpr double fading_lengths = 3.0;  // of attenuation
 
 // Between four exact rays the slope is as good as linear: over one pixel a lens bends by about a
 // thousandth of a pixel. A sample is so far on from the first of its four.
@@ -27,7 +30,8 @@ std::vector<Sample> samples_of_pixel(int across) {
     return places;
 }
 
-// The bed lies level, so that a row of the picture is about as far as its middle.
+// The bed lies level, so that a row of the picture is about as far as its middle. Light that comes
+// farther than the fading range is too little to tell how wide it is blurred.
 std::vector<double> blur_of_rows(const Scene& scene, const Camera& camera, const PixelRays& rays,
                                  const RigidTransform& T_rig_from_camera) {
     std::vector<double> sigmas_px;
@@ -36,7 +40,10 @@ std::vector<double> blur_of_rows(const Scene& scene, const Camera& camera, const
         const Eigen::Vector3d direction(slope.x(), slope.y(), 1.0);
         const double range_mm = scene.seabed_range_mm(
             {T_rig_from_camera.t_mm, T_rig_from_camera.R * direction.normalized()});
-        sigmas_px.push_back(scene.blur_px_at(range_mm));
+        const double widest_px = fading_lengths * scene.blur_px_a_length();
+        sigmas_px.push_back(std::max(1e-3, range_mm == Scene::no_seabed
+                                               ? widest_px
+                                               : std::min(widest_px, scene.blur_px_at(range_mm))));
     }
     return sigmas_px;
 }

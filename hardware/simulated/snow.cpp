@@ -9,11 +9,11 @@
 namespace kambara {
 namespace {
 
-// From the camera's window on, and as far as flakes can be told from the veil.
-const Eigen::Array3d box_from_mm(-900.0, -600.0, 50.0);
-const Eigen::Array3d box_size_mm(2250.0, 1300.0, 2000.0);
-// As fast as water passes a vehicle that keeps its place, 0.5 knots; flakes sink by about 1 mm/s.
-const Eigen::Vector3d current_mm_s(250.0, 1.0, 0.0);
+// From the camera's window on, and as far as flakes can be told apart.
+const Eigen::Array3d box_from_mm(-900.0, -600.0, 30.0);
+const Eigen::Array3d box_size_mm(2250.0, 1300.0, 1500.0);
+// As water passes a vehicle that keeps its place in 0.3 knots; flakes sink by about 1 mm/s.
+const Eigen::Vector3d current_mm_s(150.0, 1.0, 0.0);
 constexpr double stirred_mm_s = 25.0;
 
 // The next whole number below; faster than std::floor.
@@ -44,7 +44,7 @@ Snow::Snow(double per_litre, std::uint32_t seed) {
         flakes_.push_back({(box_size_mm * share).matrix().cast<float>(),
                            (current_mm_s + stirred_mm_s * stirred).cast<float>(),
                            static_cast<float>(diameter_mm),
-                           static_cast<float>(120.0 + 100.0 * unit(random))});
+                           static_cast<float>(130.0 + 100.0 * unit(random))});
     }
 }
 

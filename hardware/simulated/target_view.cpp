@@ -192,7 +192,7 @@ void draw_target(std::vector<Level>& picture, const SeabedView<Level>& seabed, c
         }
     }
     if (forward) {
-        add_blurred(picture, camera.width_px, scattered, box, blur_px);
+        add_blurred(picture, camera.width_px, scattered, box, std::max(1e-3, blur_px));
     }
 }
 

@@ -8,8 +8,8 @@ namespace kambara {
 namespace {
 
 const Colour weed(0.62F, 1.0F, 0.80F);
-const Colour sand(0.68F, 1.0F, 1.24F);
-const Colour stone(1.04F, 1.0F, 1.02F);
+const Colour sand(0.74F, 1.0F, 1.18F);
+const Colour stone(0.96F, 1.0F, 1.02F);
 
 // Discs of 40 mm, one in each 75 mm of the target.
 constexpr float cell_mm = 75.0F;

@@ -20,9 +20,11 @@ struct Kind {
     double diffuse_at_520_per_m;
     double beam_at_520_per_m;
     double backscatter_ratio;  // b / c: light scattered more than once is lost more slowly
-    Array3d veil_grey;         // as a picture exposed for the target shows it
-    double depth_m;            // of the rig: what the sun's colour is
-    WaterPreset others;        // its first two follow from the above
+    // As a picture exposed for the target shows it. Water scatters all colours nearly alike, so
+    // that B b / sunlight must be about the same for all three, else lamps make a coloured fog.
+    Array3d veil_grey;
+    double depth_m;      // of the rig: what the sun's colour is
+    WaterPreset others;  // its first two follow from the above
 
     double scale() const { return beam_at_520_per_m / diffuse_at_520_per_m; }
 };
@@ -30,9 +32,9 @@ struct Kind {
 const Kind& table_of(WaterKind kind) {
     static const Kind kinds[] = {
         {{0.25, 0.25, 0.25}, 0.25, 0.25, 1.0, {70, 70, 70}, 0.0, {0, 0, 0.0, 0.0, 0.0}},
-        {{0.0656, 0.0852, 0.288}, 0.0776, 0.0987, 1.0, {140, 88, 22}, 5.0, {0, 0, 0.3, 2.0, 0.1}},
-        {{0.35, 0.196, 0.356}, 0.208, 0.35, 0.9, {62, 95, 42}, 3.0, {0, 0, 0.4, 2.0, 1.0}},
-        {{1.452, 0.702, 0.632}, 0.846, 2.0, 0.8, {42, 88, 74}, 1.0, {0, 0, 0.5, 1.5, 5.0}}};
+        {{0.0656, 0.0852, 0.288}, 0.0776, 0.0987, 1.0, {150, 88, 9}, 5.0, {0, 0, 0.3, 2.0, 0.1}},
+        {{0.35, 0.196, 0.356}, 0.208, 0.35, 0.9, {52, 95, 44}, 2.0, {0, 0, 0.4, 2.0, 1.0}},
+        {{1.452, 0.702, 0.632}, 0.846, 2.0, 0.8, {30, 88, 84}, 0.5, {0, 0, 0.5, 1.5, 5.0}}};
     return kinds[static_cast<std::size_t>(kind)];
 }
 
