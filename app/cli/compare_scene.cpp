@@ -53,10 +53,11 @@ Result<CompareScene> simulated_scene(const std::string& profile_text, int frames
         world.target_point_under({scene.templ.centre_x_px(), scene.templ.centre_y_px()}, 0);
     for (int i = 0; i < frames; ++i) {
         StereoFrame pair;
-        pair.left = frame_of(std::make_shared<const Image>(world.picture(FixedCamera::left, i)), i,
-                             world.time_ns(i));
-        pair.right = frame_of(std::make_shared<const Image>(world.picture(FixedCamera::right, i)),
-                              i, world.time_ns(i));
+        for (auto [camera, frame] : {std::pair(FixedCamera::left, &pair.left),
+                                     std::pair(FixedCamera::right, &pair.right)}) {
+            auto picture = std::make_shared<const Image>(grey_from(world.picture(camera, i)));
+            *frame = frame_of(std::move(picture), i, world.time_ns(i));
+        }
         scene.pairs.push_back(std::move(pair));
         const Eigen::Vector3d truth = world.point_in_left_mm(*on_target, i);
         scene.truth_in_left_mm.emplace_back(truth);

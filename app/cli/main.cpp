@@ -114,7 +114,9 @@ void add_triangulate(CLI::App& app, Chosen& chosen, TriangulateOptions& o) {
 
 void add_simulate(CLI::App& app, Chosen& chosen, SimulateOptions& o) {
     CLI::App* c = app.add_subcommand("simulate", "Record the simulated rig, with its truth");
-    c->add_option("--profile", o.profile, "default, chessboard or two-plane-24, with ?key=value")
+    c->add_option("--profile", o.profile,
+                  "default, chessboard or two-plane-24, with ?key=value&...; for water colour=1, "
+                  "water=clear, coastal or harbour, lamps=1, snow=N")
         ->capture_default_str();
     c->add_option("--seconds", o.seconds, "How long")
         ->capture_default_str()

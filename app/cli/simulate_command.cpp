@@ -134,15 +134,9 @@ Result<nlohmann::json> simulate(const SimulateOptions& options) {
     VsystemInterface& system = **opened;
     const bool moving = !world->profile().calibration_target;
     const Rectangle rectangle = world->suggested_template(31);
-    if (moving) {
-        // The head follows the target, as it would at sea.
-        for (const Command& command :
-             {Command(SelectTemplate{rectangle, std::nullopt}), Command(StartTracking{})}) {
-            if (const auto done = system.execute(command); !done) {
-                return done.error();
-            }
-        }
-    }
+    // The head follows the target, as it would at sea, unless the water hides it.
+    const bool followed = moving && system.execute(SelectTemplate{rectangle, std::nullopt}).ok() &&
+                          system.execute(StartTracking{}).ok();
     std::string truth = truth_header();
     ProgressLine progress;
     for (std::int64_t i = 0; i < frames && !interrupted(); ++i) {
@@ -182,6 +176,7 @@ Result<nlohmann::json> simulate(const SimulateOptions& options) {
     }
     return nlohmann::json{{"frames", system.latest()->frame},
                           {"rate_hz", world->profile().rate_hz},
+                          {"head_follows", followed},
                           {"out", options.out.string()}};
 }
 

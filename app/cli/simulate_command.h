@@ -15,9 +15,10 @@ struct SimulateOptions {
 };
 
 /// Records the simulated rig: left/, right/ and pan_tilt/ with numbered PNG pictures (the head
-/// follows the target), rig.yaml, truth.csv (frame, time_s, the target's place in the left camera's
-/// frame and its pixels, the head's angles) and template.txt, the rectangle about the target in
-/// frame 0. The folder must not exist, or be empty; it appears whole or not at all.
+/// follows the target, unless the water hides it), rig.yaml, truth.csv (frame, time_s, the target's
+/// place in the left camera's frame and its pixels, the head's angles) and template.txt, the
+/// rectangle about the target in frame 0. The folder must not exist, or be empty; it appears whole
+/// or not at all.
 Outcome run_simulate(const SimulateOptions& options);
 
 }  // namespace kambara::cli

@@ -3,10 +3,14 @@
 
 #include <vector>
 
+#include "hardware/simulated/water.h"
+
 namespace kambara {
 
-/// Smooths a picture of grey levels, row by row, by a Gaussian cut off at three sigma; the border's
-/// pixels stand for what lies beyond it.
-void blur(std::vector<float>& grey, int width, int height, double sigma_px);
+/// Smooths a picture of levels, row by row, by a Gaussian cut off at three sigma, whose width may
+/// differ from row to row; the border's pixels stand for what lies beyond it. Sigmas are positive,
+/// one for each row.
+void blur(float* levels, int width, const std::vector<double>& sigmas_px);
+void blur(Colour* levels, int width, const std::vector<double>& sigmas_px);
 
 }  // namespace kambara

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/base/angles.h"
+#include "hardware/simulated/tones.h"
 
 namespace kambara {
 namespace {
@@ -33,12 +34,21 @@ double wave(double time_s, double period_s, double phase) {
 
 }  // namespace
 
-Scene::Scene(const SimulatedProfile& profile) : profile_(profile) {
+Scene::Scene(const SimulatedProfile& profile)
+    : profile_(profile),
+      water_(
+          water_like(profile.water, profile.haze_per_m, profile.veil_grey, profile.forward_share)),
+      snow_(profile.snow_per_litre, profile.seed) {
     std::mt19937 random(profile.seed * 7919U + 17U);
     const TileTexture::Options of_seabed{4096.0, 8.0, 24.0, 400.0, 105.0, 28.0};
     seabed_[0] = std::make_unique<TileTexture>(of_seabed, random());
     if (profile.swap_s > 0.0) {
         seabed_[1] = std::make_unique<TileTexture>(of_seabed, profile.seed * 104729U + 3U);
+    }
+    if (profile.colour) {
+        tones_ = std::make_unique<TileTexture>(
+            TileTexture::Options{4096.0, 8.0, 48.0, 400.0, 128.0, 45.0},
+            profile.seed * 611953U + 7U);
     }
     pattern_ = std::make_unique<TileTexture>(
         TileTexture::Options{512.0, 1.0, 9.0, 80.0, 128.0, 50.0}, random());
@@ -105,20 +115,32 @@ double Scene::light(double time_s) const {
     return dim ? 1.0 - profile_.step : 1.0;
 }
 
-double Scene::blur_px(double time_s) const {
-    const double range_m = 1e-3 * T_rig_from_target(time_s).t_mm.norm();
+double Scene::blur_px_at(double range_mm) const {
+    const double range_m = 1e-3 * range_mm;
     return profile_.blur_px * profile_.haze_per_m * range_m;
 }
 
-float Scene::seabed_along(int seabed, const Ray& ray, double spread) const {
+double Scene::seabed_range_mm(const Ray& ray) const {
     const double falls = ray.direction.dot(down);
-    if (falls < 1e-3) {
-        return water_grey;
-    }
-    const double range = (seabed_below_mm - ray.origin_mm.dot(down)) / falls;
-    const Eigen::Vector3d hit = ray.at(range);
-    const double footprint = range * spread / std::sqrt(falls);
-    return hazed(seabed_[seabed]->at(hit.x(), hit.dot(forward), footprint), range);
+    return falls < 1e-3 ? no_seabed : (seabed_below_mm - ray.origin_mm.dot(down)) / falls;
+}
+
+float Scene::seabed_grey(int which, const Eigen::Vector3d& hit, double footprint_mm) const {
+    return seabed_[which]->at(hit.x(), hit.dot(forward), footprint_mm);
+}
+
+template <>
+float Scene::seabed(int which, const Ray& ray, double range_mm, double spread) const {
+    const double footprint = range_mm * spread / std::sqrt(ray.direction.dot(down));
+    return seabed_grey(which, ray.at(range_mm), footprint);
+}
+
+template <>
+Colour Scene::seabed(int which, const Ray& ray, double range_mm, double spread) const {
+    const double footprint = range_mm * spread / std::sqrt(ray.direction.dot(down));
+    const Eigen::Vector3d hit = ray.at(range_mm);
+    return seabed_grey(which, hit, footprint) *
+           seabed_tone(tones_->at(hit.x(), hit.dot(forward), footprint));
 }
 
 RigidTransform Scene::T_rig_from_target(double time_s) const {
@@ -153,7 +175,7 @@ std::int64_t Scene::still_since(double time_s) const {
                                        : -1;
 }
 
-float Scene::surface(std::size_t sheet, float across_mm, float down_mm) const {
+float Scene::sheet_grey(std::size_t sheet, float across_mm, float down_mm) const {
     if (marks_.empty()) {
         return pattern_->at(across_mm, down_mm);
     }
@@ -166,9 +188,15 @@ float Scene::surface(std::size_t sheet, float across_mm, float down_mm) const {
     return paper_grey;
 }
 
-float Scene::hazed(float grey, double range_mm) const {
-    const auto kept = static_cast<float>(std::exp(-profile_.haze_per_m * range_mm * 1e-3));
-    return water_grey + kept * (grey - water_grey);
+template <>
+float Scene::surface(std::size_t sheet, float across_mm, float down_mm) const {
+    return sheet_grey(sheet, across_mm, down_mm);
+}
+
+template <>
+Colour Scene::surface(std::size_t sheet, float across_mm, float down_mm) const {
+    const float grey = sheet_grey(sheet, across_mm, down_mm);
+    return marks_.empty() ? Colour(grey * target_tone(across_mm, down_mm)) : Colour::Constant(grey);
 }
 
 Eigen::Vector3d Scene::particle_place_mm(const Particle& particle, double time_s) const {

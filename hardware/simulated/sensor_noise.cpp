@@ -9,7 +9,7 @@ namespace kambara {
 namespace {
 
 constexpr std::size_t table_size = std::size_t{1} << 19;
-constexpr std::size_t widest_picture = 4096;
+constexpr std::size_t widest_row = 3 * 4096;
 
 // splitmix64's finaliser: every bit of the input stirs every bit of the output.
 std::uint64_t stirred(std::uint64_t x) {
@@ -22,23 +22,23 @@ std::uint64_t stirred(std::uint64_t x) {
 }  // namespace
 
 SensorNoise::SensorNoise(double sigma_grey, std::uint32_t seed)
-    : seed_(seed), table_(table_size + widest_picture) {
+    : seed_(seed), table_(table_size + widest_row) {
     std::mt19937 random(seed * 2654435761U + 12345U);
     std::normal_distribution<float> noise(0.0F, 1.0F);
     const auto sigma = static_cast<float>(sigma_grey);
     std::generate(table_.begin(), table_.end(), [&] { return sigma * noise(random); });
 }
 
-Image SensorNoise::digitised(const std::vector<float>& grey, int width, int height,
+Image SensorNoise::digitised(const float* levels, int width, int height, int channels,
                              std::uint32_t camera, std::int64_t frame) const {
-    Image picture(width, height);
+    Image picture(width, height, channels);
     const std::uint64_t of_frame = stirred(stirred((std::uint64_t{seed_} << 32U) | camera) ^
                                            static_cast<std::uint64_t>(frame));
-    const auto n = static_cast<std::size_t>(width);
+    const std::size_t n = picture.row_bytes();
     for (int y = 0; y < height; ++y) {
         const float* noise =
             table_.data() + stirred(of_frame + static_cast<std::uint64_t>(y)) % table_size;
-        const float* in = grey.data() + static_cast<std::size_t>(y) * n;
+        const float* in = levels + static_cast<std::size_t>(y) * n;
         std::uint8_t* out = picture.row(y);
         for (std::size_t x = 0; x < n; ++x) {
             const float value = std::min(255.0F, std::max(0.0F, in[x] + noise[x] + 0.5F));

@@ -15,7 +15,8 @@ class SensorNoise {
     SensorNoise(double sigma_grey, std::uint32_t seed);
 
     /// The grey levels as the sensor would deliver them: noise added, rounded, clipped.
-    Image digitised(const std::vector<float>& grey, int width, int height, std::uint32_t camera,
+    /// The channels' levels are interleaved.
+    Image digitised(const float* levels, int width, int height, int channels, std::uint32_t camera,
                     std::int64_t frame) const;
 
   private:

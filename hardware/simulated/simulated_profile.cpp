@@ -5,18 +5,19 @@
 #include <charconv>
 #include <cstdio>
 #include <type_traits>
+#include <vector>
 
 namespace kambara {
 namespace {
 
 Error refused(const std::string& cause) {
-    return {
-        cause,
-        "Give default, chessboard or two-plane-24, and after a ? any of seed, noise, haze, "
-        "blur, step, swap, particles, frames, rate, medium, target, as in default?seed=3&noise=1."};
+    return {cause,
+            "Give default, chessboard or two-plane-24, and after a ? any of seed, noise, colour, "
+            "water, lamps, haze, veil, forward, blur, snow, particles, step, swap, frames, rate, "
+            "medium, target, as in default?seed=3&noise=1."};
 }
 
-// This and apply() give nothing when they took the value, else why they did not.
+// These and apply() give nothing when they took the value, else why they did not.
 template <class Number>
 std::string read(std::string_view text, double lowest, double highest, Number& number) {
     Number value{};
@@ -33,6 +34,31 @@ std::string read(std::string_view text, double lowest, double highest, Number& n
     return {};
 }
 
+std::string read(std::string_view text, bool& flag) {
+    if (text != "0" && text != "1") {
+        return "it takes 0 or 1";
+    }
+    flag = text == "1";
+    return {};
+}
+
+std::string apply_water(std::string_view name, SimulatedProfile& profile) {
+    const auto kind = water_kind(name);
+    if (!kind) {
+        return "it takes clear, coastal or harbour";
+    }
+    const WaterPreset preset = preset_of(*kind);
+    profile.water = *kind;
+    profile.medium = Medium::water;
+    profile.haze_per_m = preset.attenuation_per_m;
+    profile.veil_grey = preset.veil_grey;
+    profile.forward_share = preset.forward_share;
+    profile.blur_px = preset.blur_px;
+    profile.snow_per_litre = preset.snow_per_litre;
+    profile.particles = 0;
+    return {};
+}
+
 std::string apply(std::string_view key, std::string_view value, SimulatedProfile& profile) {
     if (key == "seed") {
         return read(value, 0, 4294967295.0, profile.seed);
@@ -40,8 +66,26 @@ std::string apply(std::string_view key, std::string_view value, SimulatedProfile
     if (key == "noise") {
         return read(value, 0, 50, profile.noise_grey);
     }
+    if (key == "colour") {
+        return read(value, profile.colour);
+    }
+    if (key == "water") {
+        return apply_water(value, profile);
+    }
+    if (key == "lamps") {
+        return read(value, profile.lamps);
+    }
     if (key == "haze") {
         return read(value, 0, 10, profile.haze_per_m);
+    }
+    if (key == "veil") {
+        return read(value, 0, 255, profile.veil_grey);
+    }
+    if (key == "forward") {
+        return read(value, 0, 1, profile.forward_share);
+    }
+    if (key == "snow") {
+        return read(value, 0, 100, profile.snow_per_litre);
     }
     if (key == "blur") {
         return read(value, 0, 10, profile.blur_px);
@@ -97,9 +141,15 @@ Result<SimulatedProfile> simulated_profile(std::string_view text) {
     }
     std::string_view rest =
         question == std::string_view::npos ? std::string_view() : text.substr(question + 1);
+    std::vector<std::string_view> items;
     while (!rest.empty()) {
-        const std::string_view item = rest.substr(0, rest.find('&'));
-        rest.remove_prefix(std::min(rest.size(), item.size() + 1));
+        items.push_back(rest.substr(0, rest.find('&')));
+        rest.remove_prefix(std::min(rest.size(), items.back().size() + 1));
+    }
+    // What is said of the water in particular counts more than its kind, wherever that is said.
+    std::stable_partition(items.begin(), items.end(),
+                          [](std::string_view item) { return item.starts_with("water="); });
+    for (const std::string_view item : items) {
         const auto equals = item.find('=');
         const std::string problem =
             equals == std::string_view::npos

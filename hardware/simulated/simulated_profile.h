@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/calibration/target.h"
 #include "core/camera/rig.h"
+#include "hardware/simulated/water.h"
 
 namespace kambara {
 
@@ -18,11 +19,17 @@ struct SimulatedProfile {
     std::uint32_t seed = 1;
     Medium medium = Medium::air;  ///< which lenses the nominal rig has
     double rate_hz = 30.0;
-    double noise_grey = 2.0;   ///< standard deviation of a pixel, grey levels
-    double haze_per_m = 0.25;  ///< light is lost as exp(-haze range)
-    int particles = 60;        ///< drifting in front of the cameras
-    /// Forward scatter: the picture is blurred by so many pixels for each attenuation length (haze
-    /// times range) to the target.
+    double noise_grey = 2.0;  ///< standard deviation of a pixel, grey levels
+    bool colour = false;      ///< pictures of three channels; else grey, which is the green
+    WaterKind water = WaterKind::grey;
+    bool lamps = false;           ///< the rig's own, and no sunlight
+    double haze_per_m = 0.25;     ///< light is lost as exp(-haze range); in green, as is the veil
+    double veil_grey = 70.0;      ///< of endless water
+    int particles = 60;           ///< specks drifting in front of the cameras
+    double snow_per_litre = 0.0;  ///< marine snow: flakes of 0.5 to 5 mm
+    double forward_share = 0.0;   ///< of the light lost, how much arrives blurred all the same
+    /// The blur, so many pixels for each attenuation length (haze times range): of the forward
+    /// share where there is one, else of the whole picture, as for the target's range.
     double blur_px = 0.0;
     double step = 0.0;  ///< share of the light that is missing in every other 3 seconds
     double swap_s =
@@ -33,8 +40,10 @@ struct SimulatedProfile {
 };
 
 /// Reads `NAME?key=value&key=value`. Names: default (a textured target on a smooth path),
-/// chessboard (9x6:30 unless target= says otherwise), two-plane-24. Keys: seed, noise, haze,
-/// blur, step, swap, particles, frames, rate, medium (air, water), target.
+/// chessboard (9x6:30 unless target= says otherwise), two-plane-24. Keys: seed, noise, colour,
+/// lamps, water (clear, coastal, harbour: sets veil and medium and those between, each of which may
+/// be given as well), haze, veil, forward, blur, snow, particles, step, swap, frames, rate, medium
+/// (air, water), target.
 Result<SimulatedProfile> simulated_profile(std::string_view text);
 
 }  // namespace kambara

@@ -16,16 +16,27 @@ Eigen::Matrix3d R_home_from_turned(const HeadAngles& angles) {
     return rotation_about_y(angles.pan_rad) * rotation_about_x(angles.tilt_rad);
 }
 
+// The channels' levels, interleaved.
+const float* numbers(const std::vector<float>& grey) {
+    return grey.data();
+}
+const float* numbers(const std::vector<Colour>& colours) {
+    return colours.data()->data();
+}
+
 }  // namespace
 
 SimulatedWorld::SimulatedWorld(const SimulatedProfile& profile)
     : profile_(profile),
       rig_(nominal_rig(profile.medium)),
       scene_(profile),
-      left_(scene_, rig_.left),
-      right_(scene_, *rig_.right),
-      pan_tilt_(scene_, *rig_.pan_tilt),
-      noise_(profile.noise_grey, profile.seed) {}
+      noise_(profile.noise_grey, profile.seed) {
+    if (profile.colour) {
+        colour_.emplace(scene_, rig_);
+    } else {
+        grey_.emplace(scene_, rig_);
+    }
+}
 
 std::int64_t SimulatedWorld::time_ns(std::int64_t frame) const {
     return static_cast<std::int64_t>(
@@ -36,20 +47,35 @@ double SimulatedWorld::time_s(std::int64_t frame) const {
     return static_cast<double>(frame) / profile_.rate_hz;
 }
 
-Image SimulatedWorld::picture(FixedCamera camera, std::int64_t frame) const {
+template <class Level>
+Image SimulatedWorld::fixed_picture(const Views<Level>& views, FixedCamera camera,
+                                    std::int64_t frame) const {
     const bool left = camera == FixedCamera::left;
     const Camera& lens = left ? rig_.left : *rig_.right;
-    const auto grey = (left ? left_ : right_).draw(time_s(frame));
-    return noise_.digitised(grey, lens.width_px, lens.height_px, left ? 0U : 2U, frame);
+    const auto levels = (left ? views.left : views.right).draw(time_s(frame));
+    return noise_.digitised(numbers(levels), lens.width_px, lens.height_px, Channels<Level>::count,
+                            left ? 0U : 2U, frame);
 }
 
-Image SimulatedWorld::pan_tilt_picture(std::int64_t frame, const HeadAngles& angles) const {
+template <class Level>
+Image SimulatedWorld::turned_picture(const Views<Level>& views, std::int64_t frame,
+                                     const HeadAngles& angles) const {
     const Camera& camera = *rig_.pan_tilt;
     const RigidTransform T_turned_from_home{R_home_from_turned(angles).transpose(),
                                             Eigen::Vector3d::Zero()};
-    const auto grey =
-        pan_tilt_.draw_turned(time_s(frame), T_turned_from_home * camera.T_camera_from_rig);
-    return noise_.digitised(grey, camera.width_px, camera.height_px, pan_tilt_number, frame);
+    const auto levels =
+        views.pan_tilt.draw_turned(time_s(frame), T_turned_from_home * camera.T_camera_from_rig);
+    return noise_.digitised(numbers(levels), camera.width_px, camera.height_px,
+                            Channels<Level>::count, pan_tilt_number, frame);
+}
+
+Image SimulatedWorld::picture(FixedCamera camera, std::int64_t frame) const {
+    return colour_ ? fixed_picture(*colour_, camera, frame) : fixed_picture(*grey_, camera, frame);
+}
+
+Image SimulatedWorld::pan_tilt_picture(std::int64_t frame, const HeadAngles& angles) const {
+    return colour_ ? turned_picture(*colour_, frame, angles)
+                   : turned_picture(*grey_, frame, angles);
 }
 
 RigidTransform SimulatedWorld::T_left_from_target(std::int64_t frame) const {

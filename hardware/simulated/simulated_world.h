@@ -29,6 +29,7 @@ class SimulatedWorld {
     const Rig& rig() const { return rig_; }
     std::int64_t time_ns(std::int64_t frame) const;
 
+    /// Grey, or of three channels where the profile wants colour.
     Image picture(FixedCamera camera, std::int64_t frame) const;
     /// The pan-tilt camera's picture with the head at the angles.
     Image pan_tilt_picture(std::int64_t frame, const HeadAngles& angles) const;
@@ -47,14 +48,27 @@ class SimulatedWorld {
     Rectangle suggested_template(int size_px, std::int64_t frame = 0) const;
 
   private:
+    template <class Level>
+    struct Views {
+        Views(const Scene& scene, const Rig& rig)
+            : left(scene, rig.left), right(scene, *rig.right), pan_tilt(scene, *rig.pan_tilt) {}
+        CameraView<Level> left;
+        CameraView<Level> right;
+        CameraView<Level> pan_tilt;
+    };
+
     double time_s(std::int64_t frame) const;
+    template <class Level>
+    Image fixed_picture(const Views<Level>& views, FixedCamera camera, std::int64_t frame) const;
+    template <class Level>
+    Image turned_picture(const Views<Level>& views, std::int64_t frame,
+                         const HeadAngles& angles) const;
 
     SimulatedProfile profile_;
     Rig rig_;
     Scene scene_;
-    CameraView left_;
-    CameraView right_;
-    CameraView pan_tilt_;
+    std::optional<Views<float>> grey_;  // the one or the other
+    std::optional<Views<Colour>> colour_;
     SensorNoise noise_;
 };
 

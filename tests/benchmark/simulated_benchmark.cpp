@@ -31,11 +31,20 @@ void stereo_pictures(benchmark::State& state, const char* profile) {
 }
 BENCHMARK_CAPTURE(stereo_pictures, moving_target, "default")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stereo_pictures, in_water, "default?medium=water")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stereo_pictures, grey_coastal, "default?water=coastal")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stereo_pictures, colour, "default?colour=1")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stereo_pictures, colour_clear, "default?colour=1&water=clear")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stereo_pictures, colour_coastal, "default?colour=1&water=coastal")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stereo_pictures, colour_harbour_lamps, "default?colour=1&water=harbour&lamps=1")
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stereo_pictures, chessboard, "chessboard")->Unit(benchmark::kMillisecond);
 
 // The pan-tilt camera's picture: the whole of it is cast anew.
-void pan_tilt_picture(benchmark::State& state) {
-    const SimulatedWorld world(simulated_profile("default").value());
+void pan_tilt_picture(benchmark::State& state, const char* profile) {
+    const SimulatedWorld world(simulated_profile(profile).value());
     std::int64_t frame = 0;
     for (auto _ : state) {
         benchmark::DoNotOptimize(world.pan_tilt_picture(frame, HeadAngles{0.1, 0.05}));
@@ -43,7 +52,9 @@ void pan_tilt_picture(benchmark::State& state) {
     }
     report_core_share(state, world);
 }
-BENCHMARK(pan_tilt_picture)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(pan_tilt_picture, grey, "default")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(pan_tilt_picture, colour_coastal_lamps, "default?colour=1&water=coastal&lamps=1")
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace kambara

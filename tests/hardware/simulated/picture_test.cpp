@@ -27,6 +27,7 @@ SimulatedProfile profile_of(std::string_view text) {
 
 // One ray through the exact lens, in double precision.
 double cast(const Scene& scene, const Camera& camera, const Vector2d& pixel, double time_s) {
+    const Lighting<float> sunlight(scene.water());
     const Ray ray = camera.unproject(pixel).value();
     const RigidTransform T_rig_from_target = scene.T_rig_from_target(time_s);
     const Ray in_target = T_rig_from_target.inverse() * ray;
@@ -34,11 +35,14 @@ double cast(const Scene& scene, const Camera& camera, const Vector2d& pixel, dou
     const double half = Scene::target_half_side_mm;
     const Vector3d at = in_target.at(range);
     if (range > 0.0 && at.head<2>().cwiseAbs().maxCoeff() < half) {
-        return scene.hazed(
-            scene.surface(0, static_cast<float>(at.x() + half), static_cast<float>(at.y() + half)),
-            range);
+        return sunlight.seen(scene.surface<float>(0, static_cast<float>(at.x() + half),
+                                                  static_cast<float>(at.y() + half)),
+                             pixel.x(), pixel.y(), range);
     }
-    return scene.seabed_along(0, ray, 0.0);
+    const double bed = scene.seabed_range_mm(ray);
+    return bed == Scene::no_seabed
+               ? sunlight.endless(pixel.x(), pixel.y())
+               : sunlight.seen(scene.seabed<float>(0, ray, bed, 0.0), pixel.x(), pixel.y(), bed);
 }
 
 // The mean over a pixel's area of very many rays.

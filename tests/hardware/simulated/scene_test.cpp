@@ -116,19 +116,15 @@ TEST(Scene, CalibrationTargetsStandStillInPicturesOfBothCameras) {
     }
 }
 
-TEST(Scene, HazeHidesWhatIsFar) {
-    const Scene scene(profile_of("default?haze=0.5"));
-    EXPECT_NEAR(scene.hazed(200.0F, 0.0), 200.0F, 1e-4F);
-    EXPECT_NEAR(scene.hazed(200.0F, 2000.0),
-                Scene::water_grey + (200.0 - Scene::water_grey) * std::exp(-1.0), 1e-3);
-    // Along the horizontal, 15 degrees above the rig's axis, there is no bed, and just below
-    // it the bed is so far that nothing of it is left.
+TEST(Scene, TheSeabedEndsAtTheHorizon) {
+    const Scene scene(profile_of("default"));
+    // The cameras look 15 degrees down from 1.5 m above the bed.
     const double up = rad_from_deg(15.0);
-    EXPECT_EQ(scene.seabed_along(0, {{0, 0, 0}, {0, -std::sin(up), std::cos(up)}}, 0.002),
-              Scene::water_grey);
+    EXPECT_EQ(scene.seabed_range_mm({{0, 0, 0}, {0, -std::sin(up), std::cos(up)}}),
+              Scene::no_seabed);
     const double below = up - rad_from_deg(1.0);
-    EXPECT_NEAR(scene.seabed_along(0, {{0, 0, 0}, {0, -std::sin(below), std::cos(below)}}, 0.002),
-                Scene::water_grey, 1e-3);
+    EXPECT_NEAR(scene.seabed_range_mm({{0, 0, 0}, {0, -std::sin(below), std::cos(below)}}),
+                1500.0 / std::sin(rad_from_deg(1.0)), 1e-6);
 }
 
 TEST(Scene, TheLightStepsAndTheSeabedsTakeTurns) {
@@ -140,7 +136,7 @@ TEST(Scene, TheLightStepsAndTheSeabedsTakeTurns) {
     EXPECT_EQ(scene.seabed_at(3.0), 1);
     EXPECT_EQ(scene.seabed_at(5.0), 0);
     const Ray down{{0, 0, 0}, Eigen::Vector3d(0.0, 1.0, 0.3).normalized()};
-    EXPECT_NE(scene.seabed_along(0, down, 0.0), scene.seabed_along(1, down, 0.0));
+    EXPECT_NE(scene.seabed<float>(0, down, 1500.0, 0.0), scene.seabed<float>(1, down, 1500.0, 0.0));
     const Scene still(profile_of("default"));
     EXPECT_EQ(still.light(4.0), 1.0);
     EXPECT_EQ(still.seabed_at(100.0), 0);
@@ -151,7 +147,7 @@ TEST(Blur, KeepsTheLightAndSpreadsAPointAsItsWidthSays) {
     constexpr int side = 61;
     std::vector<float> grey(side * side, 0.0F);
     grey[30 * side + 30] = 1000.0F;
-    blur(grey, side, side, 2.5);
+    blur(grey.data(), side, std::vector<double>(side, 2.5));
     double sum = 0.0;
     double squares = 0.0;
     for (int y = 0; y < side; ++y) {
@@ -164,8 +160,34 @@ TEST(Blur, KeepsTheLightAndSpreadsAPointAsItsWidthSays) {
     EXPECT_NEAR(sum, 1000.0, 0.01);
     EXPECT_NEAR(std::sqrt(squares / sum), 2.5, 0.05);
     std::vector<float> flat(side * side, 90.0F);
-    blur(flat, side, side, 3.0);
+    blur(flat.data(), side, std::vector<double>(side, 3.0));
     EXPECT_NEAR(*std::min_element(flat.begin(), flat.end()), 90.0F, 1e-3F);
+}
+
+TEST(Blur, TreatsTheChannelsApart) {
+    constexpr int width = 20;
+    constexpr int height = 9;
+    std::vector<Colour> colours;
+    std::vector<float> channels[3];
+    for (int i = 0; i < width * height; ++i) {
+        const Colour colour(static_cast<float>(i % 7), static_cast<float>(i % 11),
+                            static_cast<float>(i % 13));
+        colours.push_back(colour);
+        for (int c = 0; c < 3; ++c) {
+            channels[c].push_back(colour[c]);
+        }
+    }
+    std::vector<double> sigmas_px;
+    for (int y = 0; y < height; ++y) {
+        sigmas_px.push_back(0.5 + 0.4 * y);
+    }
+    blur(colours.data(), width, sigmas_px);
+    for (int c = 0; c < 3; ++c) {
+        blur(channels[c].data(), width, sigmas_px);
+        for (std::size_t i = 0; i < colours.size(); ++i) {
+            ASSERT_EQ(colours[i][c], channels[c][i]) << i;
+        }
+    }
 }
 
 TEST(Scene, ParticlesDriftSteadilyInsideTheirBox) {
