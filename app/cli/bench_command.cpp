@@ -16,6 +16,7 @@ namespace kambara::cli {
 namespace {
 
 constexpr std::size_t repetitions = 11;
+constexpr double least_peak_share = 0.65;
 constexpr double shortest_us = 2000.0;  // of one measurement: fast work is repeated
 
 double time_us(const std::function<void()>& work, int times) {
@@ -89,14 +90,16 @@ double share_of_peak() {
     std::vector<std::int32_t> out(640 * 450);
     const Kernels& kernels = best_kernels();
     const double products = 31.0 * 31.0 * 610.0 * 450.0;
-    double best_share = 0.0;
+    double least_search_us = 1e9;
+    double least_peak_us = 1e9;
+    double done = 0.0;
     for (std::size_t i = 0; i < repetitions; ++i) {
-        const double search_us = time_us([&] { kernels.dot(planes, templ, block, out.data()); }, 1);
-        double done = 0.0;
-        const double peak_us = time_us([&] { done = kernels.multiply_add_at_best(200'000); }, 1);
-        best_share = std::max(best_share, (products / search_us) / (done / peak_us));
+        least_search_us = std::min(
+            least_search_us, time_us([&] { kernels.dot(planes, templ, block, out.data()); }, 1));
+        least_peak_us = std::min(least_peak_us,
+                                 time_us([&] { done = kernels.multiply_add_at_best(200'000); }, 1));
     }
-    return best_share;
+    return (products / least_search_us) / (done / least_peak_us);
 }
 
 }  // namespace
@@ -111,8 +114,9 @@ Outcome run_bench(const BenchOptions& options) {
     ProgressLine progress;
     nlohmann::json rows = nlohmann::json::array();
     char line[200];
-    std::snprintf(line, sizeof line, "%-30s %-11s %-9s %10s %10s %7s %5s %9s %9s\n", "", "picture",
-                  "template", "ours us", "OpenCV us", "ratio", "bar", "ours Hz", "1999 Hz");
+    std::snprintf(line, sizeof line, "%-30s %-11s %-9s %10s %10s %7s %5s %6s %5s %9s %9s\n", "",
+                  "picture", "template", "ours us", "OpenCV us", "ratio", "bar", "most", "met",
+                  "ours Hz", "1999 Hz");
     std::string table = line;
     int below = 0;
     for (const BenchRow& row : bench_rows()) {
@@ -131,14 +135,23 @@ Outcome run_bench(const BenchOptions& options) {
                              {"template", size(row.template_width_px, row.template_height_px)},
                              {"ours_us", times.ours_us},
                              {"opencv_us", times.opencv_us}};
+        const bool met = ratio >= bar.value_or(0.0) && times.ours_us <= row.most_us.value_or(1e9);
+        below += met ? 0 : 1;
         if (bar) {
             entry["bar"] = *bar;
-            below += ratio < *bar ? 1 : 0;
         }
-        std::snprintf(line, sizeof line, "%-30s %-11s %-9s %10.1f %10.1f %7.1f %5s %9.0f %9s\n",
+        if (row.most_us) {
+            entry["most_us"] = *row.most_us;
+        }
+        if (bar || row.most_us) {
+            entry["met"] = met;
+        }
+        std::snprintf(line, sizeof line,
+                      "%-30s %-11s %-9s %10.1f %10.1f %7.1f %5s %6s %5s %9.0f %9s\n",
                       row.name.c_str(), entry["image"].get<std::string>().c_str(),
                       entry["template"].get<std::string>().c_str(), times.ours_us, times.opencv_us,
-                      ratio, number(bar, "%.1f").c_str(), 1e6 / times.ours_us,
+                      ratio, number(bar, "%.1f").c_str(), number(row.most_us, "%.0f").c_str(),
+                      bar || row.most_us ? (met ? "yes" : "NO") : "-", 1e6 / times.ours_us,
                       number(row.rate_1999_hz, "%.2f").c_str());
         table += line;
         rows.push_back(std::move(entry));
@@ -148,11 +161,15 @@ Outcome run_bench(const BenchOptions& options) {
     Outcome outcome;
     outcome.json = nlohmann::json{{"vector_unit", best_kernels().name},
                                   {"kernel_peak_share", share},
+                                  {"kernel_peak_share_bar", least_peak_share},
                                   {"rows", std::move(rows)}}
                        .dump(2);
-    std::snprintf(line, sizeof line,
-                  "Kernels: %s; 31 x 31 at %.0f %% of the unit's best. %d rows below their bar.\n",
-                  best_kernels().name.c_str(), 100.0 * share, below);
+    std::snprintf(
+        line, sizeof line,
+        "Kernels: %s; 31 x 31 at %.0f %% of the unit's best (bar 65 %%: %s). %d rows miss their "
+        "bar.\n",
+        best_kernels().name.c_str(), 100.0 * share, share >= least_peak_share ? "met" : "NOT met",
+        below);
     outcome.summary = table + line;
     return outcome;
 }

@@ -162,9 +162,9 @@ void signs_with_opencv(const cv::Mat& grey, cv::Mat& less, cv::Mat& more, cv::Ma
     cv::compare(less, more, signs, cv::CMP_GT);
 }
 
-BenchRow signs_row(const std::string& name, Measure measure) {
-    BenchRow row = full_row(name, 320, 240, 1, 14, 18, {measure, Transform::sdog, 1});
-    auto scene = std::make_shared<Scene>(320, 240, 1, 14, 18);
+BenchRow signs_row(const std::string& name, Measure measure, int w, int h) {
+    BenchRow row = full_row(name, 320, 240, 1, w, h, {measure, Transform::sdog, 1});
+    auto scene = std::make_shared<Scene>(320, 240, 1, w, h);
     struct Work {
         cv::Mat less, more, signs, templ;
     };
@@ -219,6 +219,10 @@ BenchRow with(BenchRow row, std::optional<double> hz_1999, std::optional<double>
     return row;
 }
 
+std::string upper(Measure measure) {
+    return measure == Measure::ncc ? "NCC" : (measure == Measure::zncc ? "ZNCC" : "SAD");
+}
+
 void add_rows_of_1999(std::vector<BenchRow>& rows) {
     const MatchMethod sad{Measure::sad, Transform::none, 1};
     const MatchMethod sparse{Measure::sad, Transform::none, sparse_step};
@@ -237,11 +241,37 @@ void add_rows_of_1999(std::vector<BenchRow>& rows) {
              std::nullopt, std::nullopt));
     rows.push_back(
         with(full_row("NORC, grey", 320, 240, 1, 14, 18, {Measure::ncc}), 0.22, 18.0, 6.0));
-    rows.push_back(
-        with(signs_row("SDoG + NORC, grey", Measure::ncc), 0.16, std::nullopt, std::nullopt));
+    rows.push_back(with(signs_row("SDoG + NORC, grey", Measure::ncc, 14, 18), 0.16, std::nullopt,
+                        std::nullopt));
     BenchRow rank = rank_row();
     rank.rate_1999_hz = 0.20;
     rows.push_back(std::move(rank));
+    for (BenchRow& row : rows) {
+        row.most_us = 1000.0;  // 1000 Hz
+    }
+}
+
+// Any measure with any template should not be slower than OpenCV's.
+void add_any_template(std::vector<BenchRow>& rows) {
+    for (const int size : {9, 12, 17, 23, 45, 60, 91}) {
+        for (const Measure measure : {Measure::ncc, Measure::zncc, Measure::sad}) {
+            const bool small = measure != Measure::sad || size <= 60;
+            rows.push_back(
+                with(full_row(upper(measure) + ", grey", 320, 240, 1, size, size, {measure}),
+                     std::nullopt, 1.0, small ? std::optional(1.0) : std::nullopt));
+        }
+    }
+    for (const int size : {7, 31, 60, 127}) {
+        for (const Measure measure : {Measure::ncc, Measure::zncc, Measure::sad}) {
+            const bool small = measure != Measure::sad || size <= 60;
+            rows.push_back(
+                with(full_row(upper(measure) + ", colour", 320, 240, 3, size, size, {measure}),
+                     std::nullopt, small ? std::optional(1.0) : std::nullopt,
+                     small ? std::optional(1.0) : std::nullopt));
+        }
+        rows.push_back(with(signs_row("SDoG + Hamming, grey", Measure::hamming, size, size),
+                            std::nullopt, 1.0, 1.0));
+    }
 }
 
 }  // namespace
@@ -254,21 +284,25 @@ std::vector<BenchRow> bench_rows() {
     rows.push_back(
         with(full_row("SAD, grey", 320, 240, 1, 14, 18, {Measure::sad}), std::nullopt, 24.0, 12.0));
     rows.push_back(
-        with(signs_row("SDoG + Hamming, grey", Measure::hamming), std::nullopt, 30.0, 8.0));
+        with(signs_row("SDoG + Hamming, grey", Measure::hamming, 14, 18), std::nullopt, 30.0, 8.0));
     rows.push_back(with(stereo_row("stereo step, SAD, colour", 320, 240, 3, 14, 18, Measure::sad),
                         std::nullopt, 24.0, 14.0));
     rows.push_back(with(stereo_row("stereo step, ZNCC, grey", 320, 240, 1, 14, 18, Measure::zncc),
                         std::nullopt, 12.0, 5.5));
-    rows.push_back(stereo_row("stereo step, SAD, colour", 1920, 1080, 3, 31, 31, Measure::sad));
+    for (const Measure measure : {Measure::sad, Measure::zncc}) {
+        rows.push_back(stereo_row("stereo step, " + upper(measure) + ", colour", 1920, 1080, 3, 31,
+                                  31, measure));
+        rows.back().most_us = 1000.0;
+    }
     for (const auto& [width, height] :
          {std::pair(320, 240), std::pair(640, 480), std::pair(1920, 1080)}) {
         for (const int size : {7, 31, 63, 127}) {
             const std::optional<double> avx512 = size == 31 ? 6.0 : (size > 31 ? 2.5 : 1.0);
             const double avx2 = size >= 31 ? 2.0 : 1.0;
             for (const Measure measure : {Measure::ncc, Measure::zncc}) {
-                rows.push_back(with(full_row(measure == Measure::ncc ? "NCC, grey" : "ZNCC, grey",
-                                             width, height, 1, size, size, {measure}),
-                                    std::nullopt, avx512, avx2));
+                rows.push_back(with(
+                    full_row(upper(measure) + ", grey", width, height, 1, size, size, {measure}),
+                    std::nullopt, avx512, avx2));
             }
             const bool large = size > 100;
             rows.push_back(with(full_row("SAD, grey", width, height, 1, size, size, {Measure::sad}),
@@ -276,6 +310,7 @@ std::vector<BenchRow> bench_rows() {
                                 size > 60 ? std::nullopt : std::optional(1.0)));
         }
     }
+    add_any_template(rows);
     return rows;
 }
 

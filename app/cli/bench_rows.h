@@ -18,6 +18,7 @@ struct BenchRow {
     std::optional<double> rate_1999_hz;  ///< what 1999's table says, on a 300 MHz Pentium II
     std::optional<double> bar_avx512;    ///< how many times faster than OpenCV it should be
     std::optional<double> bar_avx2;
+    std::optional<double> most_us;  ///< what our side may take at most, on any of these
     std::function<void()> ours;
     std::function<void()> opencv;
 };

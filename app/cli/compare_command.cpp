@@ -162,6 +162,14 @@ std::string html_of(const std::vector<SceneResult>& results) {
 }  // namespace
 
 Outcome run_compare(const CompareOptions& options) {
+    std::optional<TemporalOptions> temporal;
+    if (!options.temporal.empty()) {
+        const auto parsed = parse_temporal(options.temporal);
+        if (!parsed) {
+            return {parsed.error()};
+        }
+        temporal = *parsed;
+    }
     std::vector<SceneResult> results;
     {
         ProgressLine progress;
@@ -170,6 +178,9 @@ Outcome run_compare(const CompareOptions& options) {
             auto scene = recorded_scene(options);
             if (!scene) {
                 return {scene.error()};
+            }
+            if (temporal) {
+                low_pass(*scene, *temporal);
             }
             results.push_back(compare(std::move(*scene), progress));
         }
@@ -181,6 +192,9 @@ Outcome run_compare(const CompareOptions& options) {
             if (!scene) {
                 return {scene.error()};
             }
+            if (temporal) {
+                low_pass(*scene, *temporal);
+            }
             results.push_back(compare(std::move(*scene), progress));
         }
     }
@@ -190,7 +204,11 @@ Outcome run_compare(const CompareOptions& options) {
         scenes.push_back(json_of(result));
         outcome.summary += table_of(result);
     }
-    outcome.json = nlohmann::json{{"scenes", std::move(scenes)}}.dump(2);
+    nlohmann::json json{{"scenes", std::move(scenes)}};
+    if (temporal) {
+        json["temporal"] = to_string(*temporal);
+    }
+    outcome.json = json.dump(2);
     if (options.report) {
         const auto written = write_text_file_atomically(*options.report, html_of(results));
         if (!written) {

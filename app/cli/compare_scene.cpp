@@ -122,6 +122,19 @@ Result<CompareScene> recorded_scene(const CompareOptions& options) {
     return scene;
 }
 
+void low_pass(CompareScene& scene, const TemporalOptions& options) {
+    TemporalFilter left(options);
+    TemporalFilter right(options);
+    for (StereoFrame& pair : scene.pairs) {
+        for (auto [frame, filter] :
+             {std::pair(&pair.left, &left), std::pair(&pair.right, &right)}) {
+            frame->picture =
+                std::make_shared<const Image>(filter->filter(*grey_from(frame->picture)));
+        }
+    }
+    scene.name += ", " + to_string(options);
+}
+
 std::vector<MatchMethod> all_methods() {
     std::vector<MatchMethod> methods;
     for (const char* transform :

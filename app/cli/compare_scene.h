@@ -13,6 +13,7 @@
 #include "core/image/frame.h"
 #include "core/image/rectangle.h"
 #include "core/matching/match_method.h"
+#include "core/matching/temporal_filter.h"
 
 namespace kambara::cli {
 
@@ -29,6 +30,10 @@ struct CompareScene {
 
 Result<CompareScene> simulated_scene(const std::string& profile, int frames, int template_px);
 Result<CompareScene> recorded_scene(const CompareOptions& options);
+
+/// Filters the pictures over time, left and right each, as `track --temporal` does; the name says
+/// it.
+void low_pass(CompareScene& scene, const TemporalOptions& options);
 
 /// How one method did on one scene, frame by frame.
 struct CompareRun {

@@ -52,6 +52,9 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")->capture_default_str();
     c->add_option("--transform", o.transform, "none, gauss, rank3, rank5, census, sdog or gradient")
         ->capture_default_str();
+    c->add_option("--temporal", o.temporal,
+                  "Filter the pictures over time first: median:N or mean:N, N up to 15; for still "
+                  "cameras");
     c->add_option("--pan-tilt", o.sources.pan_tilt, "Head to steer: sim:PROFILE");
     c->add_option("--seconds", o.seconds, "Stop after so much of the source's time")
         ->check(CLI::PositiveNumber);
@@ -97,8 +100,25 @@ void add_match(CLI::App& app, Chosen& chosen, MatchOptions& o) {
     c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")->capture_default_str();
     c->add_option("--transform", o.transform, "none, gauss, rank3, rank5, census, sdog or gradient")
         ->capture_default_str();
-    c->add_option("--search", o.search, "full, or sparse: every second pixel")
+    MatchSearchOptions& s = o.search;
+    c->add_option("--search", s.strategy,
+                  "full, window, sparse, window-sparse, epipolar or epipolar-sparse")
         ->capture_default_str();
+    c->add_option("--near", s.near_px,
+                  "X,Y: where the template's centre is expected; decides between equal scores");
+    c->add_option("--radius", s.radius_px, "Of a window about --near, px (20)")
+        ->check(CLI::Range(1, 100000));
+    c->add_option("--step", s.step, "Sparse: every N-th pixel of every N-th row counts (2)")
+        ->check(CLI::Range(1, 64));
+    c->add_option("--rig", s.rig, "Epipolar: rig file; the picture is the right camera's");
+    c->add_option("--left-point", s.left_point_px,
+                  "Epipolar: X,Y in the left picture, about which the template was cut");
+    c->add_option("--band", s.band_px, "Epipolar: so far beside the curve, px (2)")
+        ->check(CLI::Range(0, 1000));
+    c->add_option("--nearest-mm", s.nearest_mm, "Epipolar: least distance (250)")
+        ->check(CLI::PositiveNumber);
+    c->add_option("--farthest-mm", s.farthest_mm, "Epipolar: largest distance (1e6)")
+        ->check(CLI::PositiveNumber);
     c->add_option("--map", o.map, "Write the scores as a 32-bit float TIFF");
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_match(o); }; });
@@ -154,6 +174,8 @@ void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
                   "Side of the square on the simulated target, px")
         ->capture_default_str()
         ->check(CLI::Range(9, 127));
+    c->add_option("--temporal", o.temporal,
+                  "Filter the pictures over time first: median:N or mean:N, N up to 15");
     c->add_option("--report", o.report, "HTML file to write");
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_compare(o); }; });
@@ -182,7 +204,10 @@ int finish(const Outcome& outcome, const std::string& json) {
             return exit_failed;
         }
     }
-    return outcome.failure ? exit_failed : 0;
+    if (outcome.failure) {
+        return outcome.wrong_usage ? exit_usage : exit_failed;
+    }
+    return 0;
 }
 
 }  // namespace

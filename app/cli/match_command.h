@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/match_search.h"
 #include "app/cli/outcome.h"
 
 namespace kambara::cli {
@@ -14,12 +15,14 @@ struct MatchOptions {
     std::filesystem::path templ;
     std::string measure = "zncc";
     std::string transform = "none";
-    std::string search = "full";
+    MatchSearchOptions search;
     std::optional<std::filesystem::path> map;  ///< the scores, as a 32-bit float TIFF
 };
 
 /// One search of a template picture in another picture. JSON: x_px, y_px (the template's centre,
-/// sub-pixel), score, quality.
+/// sub-pixel), score, quality, covariance_px2 (null where the template has no texture in some
+/// direction), second_score (of the best other peak; null where there is none), peak_ratio (the
+/// other peak's quality by this one's, in [0, 1]).
 Outcome run_match(const MatchOptions& options);
 
 }  // namespace kambara::cli

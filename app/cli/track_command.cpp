@@ -135,6 +135,14 @@ Result<nlohmann::json> track(const TrackOptions& options) {
     if (options.record) {
         return Error{"Recording a session is not in this version yet.", "Leave --record out."};
     }
+    std::optional<TemporalOptions> temporal;
+    if (!options.temporal.empty()) {
+        const auto parsed = parse_temporal(options.temporal);
+        if (!parsed) {
+            return parsed.error();
+        }
+        temporal = *parsed;
+    }
     SteadyClock clock;
     auto sources = open_sources(options.sources, clock);
     if (!sources) {
@@ -146,6 +154,7 @@ Result<nlohmann::json> track(const TrackOptions& options) {
     }
     VisionSystemOptions system_options;
     system_options.tracker.search.method = *method;
+    system_options.temporal = temporal;
     system_options.every_frame = sources->every_frame;
     system_options.start_paused = true;
     auto opened = open_vision_system(std::move(sources->parts), system_options, clock);

@@ -16,6 +16,7 @@ struct TrackOptions {
     std::string templ;  ///< X,Y,W,H in the first frame; `auto` with sim:
     std::string measure = "zncc";
     std::string transform = "none";
+    std::string temporal;  ///< median:N or mean:N; empty: the pictures as they are
     std::optional<std::filesystem::path> csv;
     std::optional<std::filesystem::path> record;
     std::optional<double> seconds;  ///< stop after so much of the source's time

@@ -121,6 +121,7 @@ void Correlator::pack_bits(const Image& templ, const Image* mask) {
 void Correlator::pack_levels(const Image& templ, const Image* mask) {
     packed_ = empty_like(width_, height_, channels_);
     outside_ = packed_;
+    outside_.width = outside_.padded_width;  // its padding counts
     inside_ = empty_like(width_, height_, 1);
     of_planes_.assign(static_cast<std::size_t>(channels_), inside_);
     std::int64_t count = 0;
@@ -132,6 +133,9 @@ void Correlator::pack_levels(const Image& templ, const Image* mask) {
             for (int x = 0; x < packed_.padded_width; ++x) {
                 const std::size_t i = packed_.offset(c, y) + static_cast<std::size_t>(x);
                 const std::size_t in_plane = packed_.offset(0, y) + static_cast<std::size_t>(x);
+                if (x >= width_ && !kernels_->sad_counts_padding) {
+                    continue;
+                }
                 if (x >= width_ || (mask != nullptr && mask->at(x * step_, y * step_) == 0)) {
                     set_factor(outside_, i, 1);
                     continue;
@@ -162,6 +166,8 @@ void Correlator::load(const Image& picture, const Rectangle& region, int first_x
     const int bytes = columns + width_ - 1;
     const int lines = rows + height_ - 1;
     planes_.stride = whole_groups(columns) + whole_groups(width_ + 3) + kernel_columns;
+    // An odd number of groups, so that the rows do not all meet in a few sets of the cache.
+    planes_.stride |= kernel_columns;
     planes_.plane_stride = planes_.stride * lines;
     make_room(pixels_,
               static_cast<std::size_t>(planes_.plane_stride * channels_) + kernel_row_slack);

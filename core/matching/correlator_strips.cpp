@@ -35,10 +35,10 @@ void Correlator::score_bits(const Block& block, int row) {
     kernels_->hamming(planes_from(row), packed_, block, costs_.data());
 }
 
-// The kernel counts what is not under the template as compared with 0: it is taken off again.
+// Kernels may count what is not under the template as compared with 0: it is taken off again.
 void Correlator::score_sads(const Block& block, int row) {
     kernels_->sad(planes_from(row), packed_, block, costs_.data());
-    const int padding = packed_.padded_width - width_;
+    const int padding = kernels_->sad_counts_padding ? packed_.padded_width - width_ : 0;
     if (masked_) {
         kernels_->dot(planes_from(row), outside_, block, dots_.data());
         for (std::size_t i = 0; i < static_cast<std::size_t>(block.stride * block.rows); ++i) {

@@ -13,6 +13,23 @@ namespace {
 
 constexpr double farthest_vertex = 0.75;  // beyond, the nine scores are no quadratic
 
+template <class Visit>
+void for_neighbours(const ScoreMap& map, int x, int y, const Visit& visit) {
+    const Rectangle& r = map.positions;
+    for (int v = std::max(y - 1, r.y); v <= std::min(y + 1, r.y + r.height - 1); ++v) {
+        for (int u = std::max(x - 1, r.x); u <= std::min(x + 1, r.x + r.width - 1); ++u) {
+            visit(u, v);
+        }
+    }
+}
+
+// Whether all nine scores about a position, its own included, are there.
+bool surrounded(const ScoreMap& map, int x, int y) {
+    int there = 0;
+    for_neighbours(map, x, y, [&](int u, int v) { there += map.searched(u, v) ? 1 : 0; });
+    return there == 9;
+}
+
 // The extremum of the quadratic through the nine scores about a whole-pixel peak: differences of
 // second order, with the mixed one, since a template's peak is seldom upright.
 std::optional<std::pair<double, double>> vertex(const ScoreMap& map, int x, int y) {
@@ -44,9 +61,6 @@ double best_of(const ScoreMap& map, Measure measure, int x, int y, int count) {
 
 std::optional<Peak> best_peak(const ScoreMap& map, Measure measure,
                               std::optional<Eigen::Vector2d> expected) {
-    if (map.empty()) {
-        return std::nullopt;
-    }
     const Rectangle& r = map.positions;
     Peak peak;
     double nearest = 0.0;
@@ -57,7 +71,7 @@ std::optional<Peak> best_peak(const ScoreMap& map, Measure measure,
             continue;
         }
         for (int x = r.x; x < r.x + r.width; ++x) {
-            if (map.at(x, y) != best) {
+            if (map.at(x, y) != best || !map.searched(x, y)) {
                 continue;
             }
             const double distance =
@@ -71,17 +85,16 @@ std::optional<Peak> best_peak(const ScoreMap& map, Measure measure,
             }
         }
     }
-    const int x = peak.whole_x;
-    const int y = peak.whole_y;
-    const bool inside_x = x > r.x && x + 1 < r.x + r.width;
-    const bool inside_y = y > r.y && y + 1 < r.y + r.height;
-    peak.x = x;
-    peak.y = y;
-    if (const auto part = inside_x && inside_y ? vertex(map, x, y) : std::nullopt) {
+    if (!found) {
+        return std::nullopt;
+    }
+    peak.x = peak.whole_x;
+    peak.y = peak.whole_y;
+    peak.on_border = !surrounded(map, peak.whole_x, peak.whole_y);
+    if (const auto part = peak.on_border ? std::nullopt : vertex(map, peak.whole_x, peak.whole_y)) {
         peak.x += part->first;
         peak.y += part->second;
     }
-    peak.on_border = !inside_x || !inside_y;
     return peak;
 }
 
@@ -106,6 +119,34 @@ std::optional<double> runner_up(const ScoreMap& map, Measure measure, const Peak
         const int beyond = std::max(r.x, peak.whole_x + distance + 1);
         look(r.x, y, std::min(r.width, peak.whole_x - distance - r.x));
         look(beyond, y, r.x + r.width - beyond);
+    }
+    return best;
+}
+
+std::optional<double> second_peak(const ScoreMap& map, Measure measure, const Peak& peak,
+                                  int distance) {
+    const Rectangle& r = map.positions;
+    std::optional<double> best;
+    const auto is_peak = [&](int x, int y, double score) {
+        bool bettered = false;
+        for_neighbours(map, x, y, [&](int u, int v) {
+            bettered = bettered || better(measure, map.at(u, v), score);
+        });
+        return !bettered;
+    };
+    for (int y = r.y; y < r.y + r.height; ++y) {
+        const bool near_row = std::abs(y - peak.whole_y) <= distance;
+        if (best && !better(measure, best_of(map, measure, r.x, y, r.width), *best)) {
+            continue;
+        }
+        for (int x = r.x; x < r.x + r.width; ++x) {
+            const double score = map.at(x, y);
+            const bool apart = !near_row || std::abs(x - peak.whole_x) > distance;
+            if (apart && (!best || better(measure, score, *best)) && map.searched(x, y) &&
+                is_peak(x, y, score)) {
+                best = score;
+            }
+        }
     }
     return best;
 }

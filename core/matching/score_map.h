@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/image/image.h"
@@ -10,6 +11,10 @@
 #include "core/matching/measure.h"
 
 namespace kambara {
+
+/// What a map holds where nothing was compared: worse than any score.
+inline constexpr float not_searched_score = std::numeric_limits<float>::lowest();
+inline constexpr std::uint32_t not_searched_cost = std::numeric_limits<std::uint32_t>::max();
 
 /// The scores of a template at every position of a rectangle of positions. A position is the
 /// picture's pixel under the template's top-left pixel; only full overlap counts.
@@ -30,6 +35,10 @@ struct ScoreMap {
                static_cast<std::size_t>(x - positions.x);
     }
     double at(int x, int y) const { return value(index(x, y)); }
+    bool searched(std::size_t i) const {
+        return scores.empty() ? costs[i] != not_searched_cost : scores[i] != not_searched_score;
+    }
+    bool searched(int x, int y) const { return searched(index(x, y)); }
 };
 
 /// The score of one position, from integer sums: exact up to the last division. Both pictures have

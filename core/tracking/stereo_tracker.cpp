@@ -348,8 +348,9 @@ std::optional<Eigen::Vector2d> StereoTracker::aligned_by_first(const TargetMeasu
 
 void StereoTracker::refresh_template(const TargetMeasurement& measured, const StereoFrame& frame) {
     const bool safe = estimate_.state == TrackState::tracking && (range_known_ || !rig_.right);
-    const bool first_will_do =
-        measured_by_first_ && measured.left.quality >= options_.good_enough_quality;
+    // In stereo the first template fits for long, and the mean is begun when it no longer does.
+    const bool first_will_do = rig_.right && measured_by_first_ &&
+                               measured.left.quality >= options_.good_enough_quality;
     if (!options_.automatic_update || !safe || first_will_do) {
         return;
     }

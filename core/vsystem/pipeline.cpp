@@ -15,8 +15,12 @@ constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr double shortest_rate_span_s = 0.2;  // less says nothing about a rate
 constexpr int only_track_id = 1;
 
-Frame grey_frame(Frame frame) {
+// In grey, and filtered over time where that is asked for.
+Frame prepared(Frame frame, std::optional<TemporalFilter>& filter) {
     frame.picture = grey_from(frame.picture);
+    if (filter && frame.picture) {
+        frame.picture = std::make_shared<const Image>(filter->filter(*frame.picture));
+    }
     return frame;
 }
 
@@ -34,7 +38,12 @@ Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSys
                                                           ? HeadWorker::Threading::inline_calls
                                                           : HeadWorker::Threading::own_thread)
                  : nullptr),
-      steering_(options.steering, head ? head->limits() : HeadLimits{}) {}
+      steering_(options.steering, head ? head->limits() : HeadLimits{}) {
+    if (options.temporal) {
+        left_filter_.emplace(*options.temporal);
+        right_filter_.emplace(*options.temporal);
+    }
+}
 
 void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     images_ = std::move(images);
@@ -43,7 +52,8 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
         silent_ = false;
         announce(Event::Kind::note, "Pictures are coming again.");
     }
-    remembered_.push_back({grey_frame(images_.stereo.left), grey_frame(images_.stereo.right)});
+    remembered_.push_back({prepared(images_.stereo.left, left_filter_),
+                           prepared(images_.stereo.right, right_filter_)});
     if (remembered_.size() > pairs_remembered) {
         remembered_.pop_front();
     }
@@ -209,6 +219,11 @@ void Pipeline::wound() {
     tracker_.stop();
     tracker_.forget_motion();
     remembered_.clear();
+    for (auto* filter : {&left_filter_, &right_filter_}) {
+        if (*filter) {
+            (*filter)->reset();
+        }
+    }
     handled_ns_.clear();
     template_frame_.reset();
     note_state_change(before);

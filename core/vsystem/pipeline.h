@@ -69,7 +69,9 @@ class Pipeline {
     Steering steering_;
     std::optional<HeadAngles> commanded_;
     ImageSet images_;
-    std::deque<StereoFrame> remembered_;  // grey, newest last
+    std::optional<TemporalFilter> left_filter_;
+    std::optional<TemporalFilter> right_filter_;
+    std::deque<StereoFrame> remembered_;  // as they are searched, newest last
     std::optional<StereoFrame> held_;     // likewise, for as long as the operator looks at it
     std::optional<std::int64_t> template_frame_;
     std::int64_t frames_total_ = -1;

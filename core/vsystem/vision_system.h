@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/devices/pan_tilt_camera.h"
+#include "core/matching/temporal_filter.h"
 #include "core/pointing/steering.h"
 #include "core/vsystem/frame_source.h"
 #include "core/vsystem/vsystem_interface.h"
@@ -22,6 +24,9 @@ struct VisionSystemParts {
 struct VisionSystemOptions {
     TrackerOptions tracker;
     SteeringOptions steering;
+    /// Both pictures are filtered over time before the target is looked for in them; for cameras
+    /// and targets that stand still.
+    std::optional<TemporalOptions> temporal;
     /// Every frame is handled, in step with the grabbers (recordings, simulations that may run
     /// faster than life). Otherwise the cameras are live, have threads of their own, and the newest
     /// pair wins.

@@ -76,8 +76,9 @@ struct Kernels {
     /// sum(I (T - 128)) at each position. At most 65,793 template pixels: 32 bits hold them.
     void (*dot)(const Planes&, const PackedTemplate&, const Block&, std::int32_t* out) = nullptr;
 
-    /// sum(abs(I - T)) at each position, padding counted as T = 0. At most 2^24 pixels.
+    /// sum(abs(I - T)) at each position. At most 2^24 pixels.
     void (*sad)(const Planes&, const PackedTemplate&, const Block&, std::uint32_t* out) = nullptr;
+    bool sad_counts_padding = true;  ///< the template's padding is in that sum, as T = 0
 
     /// Number of bits under the masks that differ, at each position.
     void (*hamming)(const Planes&, const PackedTemplate&, const Block&,

@@ -122,10 +122,10 @@ std::uint32_t smallest(const std::uint32_t* costs, int count) {
 }  // namespace
 
 const Kernels& plain_kernels() {
-    static const Kernels kernels{"scalar",    dot,          sad,
-                                 hamming,     roll_columns, take_off,
-                                 prefix_sums, correlate,    multiply_add_at_best,
-                                 largest,     smallest};
+    static const Kernels kernels{
+        "scalar",     dot,      sad,         true,      hamming,
+        roll_columns, take_off, prefix_sums, correlate, multiply_add_at_best,
+        largest,      smallest};
     return kernels;
 }
 

@@ -96,16 +96,19 @@ template <int FIRST, int LAST>
 HWY_INLINE void add_row(const std::uint8_t* pixels, const PackedTemplate& templ,
                         std::size_t row_of_first, V32 (&sums)[most_rows][parts]) {
     const auto width = static_cast<std::size_t>(templ.padded_width);
-    for (std::size_t i = 0; i < width; i += group) {
-        V32 factors[most_rows];
-        for (int r = FIRST; r <= LAST; ++r) {
-            factors[r] = template_group(
-                templ, row_of_first - static_cast<std::size_t>(r - FIRST) * width + i);
-        }
+    const auto used = static_cast<std::size_t>(templ.width);
+    for (std::size_t i = 0; i < used; i += group) {
+        // The parts of the image stay in registers and the factors pass by: sums, parts and one
+        // factor are as many as the smallest register file has.
+        V32 image[parts];
         for (int s = 0; s < parts; ++s) {
-            const V32 image = image_group(pixels + i + static_cast<std::size_t>(s));
-            for (int r = FIRST; r <= LAST; ++r) {
-                sums[r][s] = add_products(sums[r][s], image, factors[r]);
+            image[s] = image_group(pixels + i + static_cast<std::size_t>(s));
+        }
+        for (int r = FIRST; r <= LAST; ++r) {
+            const V32 factor = template_group(
+                templ, row_of_first - static_cast<std::size_t>(r - FIRST) * width + i);
+            for (int s = 0; s < parts; ++s) {
+                sums[r][s] = add_products(sums[r][s], image[s], factor);
             }
         }
     }
@@ -200,22 +203,20 @@ void dot(const Planes& image, const PackedTemplate& templ, const Block& block, s
 }
 
 double multiply_add_at_best(int rounds) {
-    constexpr int chains = 12;
-    V32 sums[chains];
-    for (V32& sum : sums) {
-        sum = hn::Zero(D32());
-    }
-    V32 image = hn::Set(D32(), 0x01020304);
+    constexpr int chains = 10;
     const V32 templ = hn::Set(D32(), 0x04030201);
+    const auto start = [](int seed) HWY_ATTR { return hn::Set(D32(), 0x01020304 + seed); };
+    V32 a = start(0), b = start(1), c = start(2), d = start(3), e = start(4);
+    V32 f = start(5), g = start(6), h = start(7), j = start(8), k = start(9);
+    // Products of the sums themselves, or they would be made once for all rounds.
+    const auto next = [&](V32& sum) HWY_ATTR { sum = add_products(sum, sum, templ); };
     for (int i = 0; i < rounds; ++i) {
-        for (V32& sum : sums) {
-            sum = add_products(sum, image, templ);
-        }
+        next(a), next(b), next(c), next(d), next(e);
+        next(f), next(g), next(h), next(j), next(k);
     }
-    for (const V32& sum : sums) {
-        image = hn::Add(image, sum);
-    }
-    volatile std::int32_t used = hn::GetLane(image);
+    const V32 total = hn::Add(hn::Add(hn::Add(a, b), hn::Add(c, d)),
+                              hn::Add(hn::Add(hn::Add(e, f), hn::Add(g, h)), hn::Add(j, k)));
+    volatile std::int32_t used = hn::GetLane(total);
     static_cast<void>(used);
     return static_cast<double>(rounds) * chains * group * static_cast<double>(hn::Lanes(D32()));
 }

@@ -180,6 +180,20 @@ HWY_INLINE VD double_of(hn::Vec<hn::RebindToUnsigned<DHalf> > value) {
     return hn::Add(hn::Mul(high, hn::Set(dd, 65536.0)), low);
 }
 
+// With half the pixels that 32 bits hold squares of, the squares' sums are not negative as signed
+// numbers either, and convert at once.
+template <bool HALF_FULL>
+HWY_INLINE VD double_of_squares(hn::Vec<hn::RebindToUnsigned<DHalf> > value) {
+    if constexpr (HALF_FULL) {
+        return hn::PromoteTo(DD(), hn::BitCast(DHalf(), value));
+    } else {
+        return double_of(value);
+    }
+}
+
+constexpr double most_in_31_bits = 33025.0;
+
+template <bool HALF_FULL>
 void correlate_large(const std::int32_t* dots, const std::uint32_t* sums,
                      const std::uint32_t* squares, int width, int count, const Normalisation& norm,
                      float* out) {
@@ -198,10 +212,12 @@ void correlate_large(const std::int32_t* dots, const std::uint32_t* sums,
     for (int x = 0; x < count; x += lanes) {
         for (int h = 0; h < lanes; h += lanes_half) {
             const VD dot = hn::PromoteTo(dd, hn::LoadU(half, dots + x + h));
-            const VD sum = double_of(hn::Sub(hn::LoadU(unsigned_half, sums + x + h + width),
-                                             hn::LoadU(unsigned_half, sums + x + h)));
-            const VD square = double_of(hn::Sub(hn::LoadU(unsigned_half, squares + x + h + width),
-                                                hn::LoadU(unsigned_half, squares + x + h)));
+            const VD sum =
+                double_of_squares<true>(hn::Sub(hn::LoadU(unsigned_half, sums + x + h + width),
+                                                hn::LoadU(unsigned_half, sums + x + h)));
+            const VD square = double_of_squares<HALF_FULL>(
+                hn::Sub(hn::LoadU(unsigned_half, squares + x + h + width),
+                        hn::LoadU(unsigned_half, squares + x + h)));
             VD numerator;
             VD variance;
             if (norm.zero_mean) {
@@ -223,8 +239,10 @@ void correlate(const std::int32_t* dots, const std::uint32_t* sums, const std::u
                int width, int count, const Normalisation& norm, float* out) {
     if (norm.count <= most_in_32_bits) {
         correlate_small(dots, sums, squares, width, count, norm, out);
+    } else if (norm.count <= most_in_31_bits) {
+        correlate_large<true>(dots, sums, squares, width, count, norm, out);
     } else {
-        correlate_large(dots, sums, squares, width, count, norm, out);
+        correlate_large<false>(dots, sums, squares, width, count, norm, out);
     }
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sum(abs(I - T)) over a block of positions, in 16-bit sums that are emptied into 32-bit ones
-// before they can overflow. A step takes one image row and four template columns.
+// before they can overflow. A step takes one image row and one group of
+// template columns; it goes down the template, then to the next group.
 #include <algorithm>
+#include <array>
 
 #include "core/matching/kernels/simd.h"
 
@@ -18,6 +20,9 @@ namespace HWY_NAMESPACE {
 
 void sad(const Planes& image, const PackedTemplate& templ, const Block& block, std::uint32_t* out) {
     plain_kernels().sad(image, templ, block, out);
+}
+bool sad_counts_padding() {
+    return plain_kernels().sad_counts_padding;
 }
 
 #else
@@ -62,11 +67,12 @@ HWY_INLINE void empty(Sums sums, std::uint32_t* out) {
 
 #elif HWY_TARGET == HWY_AVX2
 
+// The plain sum of eight differences is one quick instruction here, unlike the one that shifts.
 constexpr int most_rows = 6;
 constexpr int vectors = 2;
-constexpr int in_vector = 16;
-constexpr int group = 4;
-constexpr int most_in_sum = 64;
+constexpr int in_vector = 4;
+constexpr int group = 8;
+constexpr int most_in_sum = -1;  // the sums have 64 bits and are never full
 using Bytes = __m256i;
 using Sums = __m256i;
 
@@ -74,26 +80,50 @@ HWY_INLINE Sums none() {
     return _mm256_setzero_si256();
 }
 HWY_INLINE Bytes template_group(const std::uint8_t* at) {
-    std::int32_t four;
-    std::memcpy(&four, at, sizeof(four));
-    return _mm256_set1_epi32(four);
+    std::int64_t eight;
+    std::memcpy(&eight, at, sizeof(eight));
+    return _mm256_set1_epi64x(eight);
 }
-HWY_INLINE Bytes image_group(const std::uint8_t* pixels) {
-    const __m128i low = _mm_loadu_si128(reinterpret_cast<const __m128i*>(pixels));
-    const __m128i high = _mm_loadu_si128(reinterpret_cast<const __m128i*>(pixels + 8));
-    return _mm256_inserti128_si256(_mm256_castsi128_si256(low), high, 1);
+// Each 64 bits hold the bytes from one position on, as many of eight as the row has left: the rest
+// is 0, as the template's padding is, and makes no difference.
+struct alignas(32) Order {
+    std::array<std::uint8_t, 32> of_bytes;
+};
+constexpr Order order_of(int columns) {
+    Order order{};
+    for (int i = 0; i < 32; ++i) {
+        order.of_bytes[static_cast<std::size_t>(i)] =
+            i % 8 < columns ? static_cast<std::uint8_t>(i / 8 + i % 8) : std::uint8_t{0x80};
+    }
+    return order;
+}
+constexpr Order orders[9]{order_of(0), order_of(1), order_of(2), order_of(3), order_of(4),
+                          order_of(5), order_of(6), order_of(7), order_of(8)};
+HWY_INLINE Bytes image_group(const std::uint8_t* pixels, const Order& order) {
+    const __m128i sixteen = _mm_loadu_si128(reinterpret_cast<const __m128i*>(pixels));
+    Bytes bytes = _mm256_broadcastsi128_si256(sixteen);
+    // Written out, so that the order stays in memory: the registers are all needed for the sums.
+    asm("vpshufb %1, %0, %0" : "+x"(bytes) : "m"(order));
+    return bytes;
+}
+HWY_INLINE const Order& order_for(std::size_t columns) {
+    return orders[std::min<std::size_t>(columns, 8)];
+}
+constexpr bool counts_padding = false;
+// At the end of a row, where there are no eight bytes more.
+HWY_INLINE Bytes template_half(const std::uint8_t* at) {
+    std::uint32_t four;
+    std::memcpy(&four, at, sizeof(four));
+    return _mm256_set1_epi64x(four);
 }
 HWY_INLINE Sums add_differences(Sums sums, Bytes image, Bytes templ) {
-    return _mm256_add_epi16(sums, _mm256_mpsadbw_epu8(image, templ, 0));
+    return _mm256_add_epi64(sums, _mm256_sad_epu8(image, templ));
 }
 HWY_INLINE void empty(Sums sums, std::uint32_t* out) {
-    for (int half = 0; half < 2; ++half) {
-        const __m128i words =
-            half == 0 ? _mm256_castsi256_si128(sums) : _mm256_extracti128_si256(sums, 1);
-        auto* to = reinterpret_cast<__m256i*>(out + 8 * half);
-        _mm256_storeu_si256(to,
-                            _mm256_add_epi32(_mm256_loadu_si256(to), _mm256_cvtepu16_epi32(words)));
-    }
+    const __m256i low =
+        _mm256_permutevar8x32_epi32(sums, _mm256_setr_epi32(0, 2, 4, 6, 0, 0, 0, 0));
+    auto* to = reinterpret_cast<__m128i*>(out);
+    _mm_storeu_si128(to, _mm_add_epi32(_mm_loadu_si128(to), _mm256_castsi256_si128(low)));
 }
 
 #elif HWY_TARGET == HWY_SSE4
@@ -162,47 +192,37 @@ HWY_INLINE void empty(Sums sums, std::uint32_t* out) {
 
 #endif
 
+#if HWY_TARGET != HWY_AVX2
+constexpr bool counts_padding = true;
+struct Order {};
+constexpr Order any_order{};
+HWY_INLINE const Order& order_for(std::size_t) {
+    return any_order;
+}
+HWY_INLINE Bytes image_group(const std::uint8_t* pixels, const Order&) {
+    return image_group(pixels);
+}
+// The padded rows hold whole groups only.
+HWY_INLINE Bytes template_half(const std::uint8_t* at) {
+    return template_group(at);
+}
+#endif
+
 using RowSums = Sums[most_rows][vectors];
 
-template <int FIRST, int LAST>
-HWY_INLINE void add_row(const std::uint8_t* pixels, const PackedTemplate& templ,
-                        std::size_t row_of_first, RowSums& sums) {
-    const auto width = static_cast<std::size_t>(templ.padded_width);
-    for (std::size_t i = 0; i < width; i += group) {
-        Bytes image[vectors];
+// Differences of one image row's group of columns, or half a group.
+template <bool HALF, int FIRST, int LAST>
+HWY_INLINE void add_group(const std::uint8_t* pixels, const std::uint8_t* of_first,
+                          std::size_t width, const Order& order, RowSums& sums) {
+    Bytes image[vectors];
+    for (int v = 0; v < vectors; ++v) {
+        image[v] = image_group(pixels + v * in_vector, order);
+    }
+    for (int r = FIRST; r <= LAST; ++r) {
+        const std::uint8_t* from = of_first - static_cast<std::size_t>(r - FIRST) * width;
+        const Bytes few = HALF ? template_half(from) : template_group(from);
         for (int v = 0; v < vectors; ++v) {
-            image[v] = image_group(pixels + i + static_cast<std::size_t>(v * in_vector));
-        }
-        for (int r = FIRST; r <= LAST; ++r) {
-            const Bytes four = template_group(templ.bytes.data() + row_of_first -
-                                              static_cast<std::size_t>(r - FIRST) * width + i);
-            for (int v = 0; v < vectors; ++v) {
-                sums[r][v] = add_differences(sums[r][v], image[v], four);
-            }
-        }
-    }
-}
-
-template <int ROWS, int LAST>
-HWY_INLINE void add_rising(int last, const std::uint8_t* pixels, const PackedTemplate& templ,
-                           std::size_t row_of_first, RowSums& sums) {
-    if constexpr (LAST < ROWS - 1) {
-        if (last == LAST) {
-            add_row<0, LAST>(pixels, templ, row_of_first, sums);
-        } else {
-            add_rising<ROWS, LAST + 1>(last, pixels, templ, row_of_first, sums);
-        }
-    }
-}
-
-template <int ROWS, int FIRST>
-HWY_INLINE void add_falling(int first, const std::uint8_t* pixels, const PackedTemplate& templ,
-                            std::size_t row_of_first, RowSums& sums) {
-    if constexpr (FIRST < ROWS) {
-        if (first == FIRST) {
-            add_row<FIRST, ROWS - 1>(pixels, templ, row_of_first, sums);
-        } else {
-            add_falling<ROWS, FIRST + 1>(first, pixels, templ, row_of_first, sums);
+            sums[r][v] = add_differences(sums[r][v], image[v], few);
         }
     }
 }
@@ -217,7 +237,60 @@ HWY_INLINE void empty_all(RowSums& sums, std::uint32_t* out, std::ptrdiff_t out_
     }
 }
 
-// ROWS output rows of one group of columns, added to `out`. ROWS is not above the template's
+// Where a group of columns is at.
+struct Descent {
+    const std::uint8_t* pixels;  // of the image row
+    std::ptrdiff_t image_stride;
+    const std::uint8_t* of_templ;  // in the template row that the first output row sees
+    std::size_t width;             // from template row to template row
+    const Order* order;
+    std::uint32_t* out;
+    std::ptrdiff_t out_stride;
+    int in_sum;  // groups that the sums hold already
+};
+
+template <bool HALF, int ROWS, int FIRST, int LAST>
+HWY_INLINE void add_next(Descent& at, const std::uint8_t* of_first, RowSums& sums) {
+    if (at.in_sum == most_in_sum) {
+        empty_all<ROWS>(sums, at.out, at.out_stride);
+        at.in_sum = 0;
+    }
+    ++at.in_sum;
+    add_group<HALF, FIRST, LAST>(at.pixels, of_first, at.width, *at.order, sums);
+    at.pixels += at.image_stride;
+}
+
+// The image rows under the first output rows only.
+template <bool HALF, int ROWS, int LAST>
+HWY_INLINE void add_rising(Descent& at, RowSums& sums) {
+    if constexpr (LAST < ROWS - 1) {
+        add_next<HALF, ROWS, 0, LAST>(at, at.of_templ, sums);
+        at.of_templ += at.width;
+        add_rising<HALF, ROWS, LAST + 1>(at, sums);
+    }
+}
+
+// The image rows under the last output rows only.
+template <bool HALF, int ROWS, int FIRST>
+HWY_INLINE void add_falling(Descent& at, const std::uint8_t* last_row, RowSums& sums) {
+    if constexpr (FIRST < ROWS) {
+        add_next<HALF, ROWS, FIRST, ROWS - 1>(at, last_row, sums);
+        add_falling<HALF, ROWS, FIRST + 1>(at, last_row, sums);
+    }
+}
+
+// A group of columns down the template.
+template <bool HALF, int ROWS>
+HWY_INLINE void add_columns(Descent& at, int height, RowSums& sums) {
+    add_rising<HALF, ROWS, 0>(at, sums);
+    for (int j = ROWS - 1; j < height; ++j) {
+        add_next<HALF, ROWS, 0, ROWS - 1>(at, at.of_templ, sums);
+        at.of_templ += at.width;
+    }
+    add_falling<HALF, ROWS, 1>(at, at.of_templ - at.width, sums);
+}
+
+// ROWS output rows of one group of positions, added to `out`. ROWS is not above the template's
 // height.
 template <int ROWS>
 HWY_NOINLINE void sad_rows(const Planes& image, const PackedTemplate& templ,
@@ -229,24 +302,25 @@ HWY_NOINLINE void sad_rows(const Planes& image, const PackedTemplate& templ,
             sums[r][v] = none();
         }
     }
-    const int steps_a_row = templ.padded_width / group;
+    const auto width = static_cast<std::size_t>(templ.padded_width);
+    const auto used = static_cast<std::size_t>(templ.width);
     int in_sum = 0;
     for (int plane = 0; plane < templ.planes; ++plane) {
-        const std::uint8_t* pixels = first_pixel + plane * image.plane_stride;
-        for (int j = 0; j < templ.height + ROWS - 1; ++j, pixels += image.stride) {
-            if (in_sum + steps_a_row > most_in_sum) {
-                empty_all<ROWS>(sums, out, out_stride);
-                in_sum = 0;
-            }
-            in_sum += steps_a_row;
-            if (j < ROWS - 1) {
-                add_rising<ROWS, 0>(j, pixels, templ, templ.offset(plane, j), sums);
-            } else if (j < templ.height) {
-                add_row<0, ROWS - 1>(pixels, templ, templ.offset(plane, j), sums);
+        for (std::size_t i = 0; i < width; i += group) {
+            Descent at{first_pixel + plane * image.plane_stride + i,
+                       image.stride,
+                       templ.bytes.data() + templ.offset(plane, 0) + i,
+                       width,
+                       &order_for(used - i),
+                       out,
+                       out_stride,
+                       in_sum};
+            if (i + group <= width) {
+                add_columns<false, ROWS>(at, templ.height, sums);
             } else {
-                add_falling<ROWS, 1>(j - templ.height + 1, pixels, templ,
-                                     templ.offset(plane, templ.height - 1), sums);
+                add_columns<true, ROWS>(at, templ.height, sums);
             }
+            in_sum = at.in_sum;
         }
     }
     empty_all<ROWS>(sums, out, out_stride);
@@ -293,6 +367,10 @@ void sad(const Planes& image, const PackedTemplate& templ, const Block& block, s
     }
 }
 
+bool sad_counts_padding() {
+    return counts_padding;
+}
+
 #endif
 
 }  // namespace HWY_NAMESPACE
@@ -303,9 +381,12 @@ HWY_AFTER_NAMESPACE();
 namespace kambara {
 
 HWY_EXPORT(sad);
+HWY_EXPORT(sad_counts_padding);
 
 void use_simd_sad(Kernels& kernels) {
-    kernels.sad = HWY_DISPATCH_TABLE(sad)[hwy::GetChosenTarget().GetIndex()];
+    const std::size_t target = hwy::GetChosenTarget().GetIndex();
+    kernels.sad = HWY_DISPATCH_TABLE(sad)[target];
+    kernels.sad_counts_padding = HWY_DISPATCH_TABLE(sad_counts_padding)[target]();
 }
 
 }  // namespace kambara

@@ -237,6 +237,43 @@ TEST(Correlator, TheSpectrumsTilesFitTogether) {
     EXPECT_EQ(maps[0].scores, maps[1].scores);
 }
 
+// Widths about whole multiples of the vectors' and the cache's sizes, rows of any stride.
+TEST_P(CorrelatorTest, IsTheDefinitionInVeryLargePicturesAndWithEvenTemplates) {
+    for (const auto& [width, height] : {std::pair(4096, 60), std::pair(70, 4096)}) {
+        for (const int channels : {1, 3}) {
+            for (const Measure measure : {Measure::sad, Measure::ncc, Measure::zncc}) {
+                Case c;
+                c.picture = picture_of(Content::random, random_, width, height, channels);
+                c.templ = picture_of(Content::random, random_, 6 + 2 * channels, 8, channels);
+                expect_definition(kernels(), c, measure, random_, 40);
+            }
+        }
+    }
+}
+
+TEST(Correlator, SearchesAPictureOf4096By4096) {
+    std::mt19937 random(12);
+    const Image picture = picture_of(Content::dither, random, 4096, 4096, 1);
+    Image templ(255, 255);
+    for (int y = 0; y < 255; ++y) {
+        std::copy_n(picture.row(3830 + y) + 3800, 255, templ.row(y));
+    }
+    for (const Measure measure : {Measure::sad, Measure::zncc}) {
+        Correlator correlator;
+        correlator.set_template(measure, templ);
+        ScoreMap map;
+        correlator.scores(picture, {3780, 3800, 5000, 5000}, map);
+        ASSERT_EQ(map.positions, (Rectangle{3780, 3800, 62, 42}));
+        EXPECT_NEAR(map.at(3800, 3830), measure == Measure::sad ? 0.0 : 1.0, 1e-6);
+    }
+    Correlator correlator;
+    correlator.set_template(Measure::sad, Image(9, 9, 1, 200));
+    ScoreMap map;
+    correlator.scores(picture, {0, 0, 5000, 5000}, map);
+    EXPECT_EQ(map.positions, (Rectangle{0, 0, 4088, 4088}));
+    EXPECT_LE(map.at(4087, 4087), 81.0);
+}
+
 TEST(Correlator, AFlatPatchScoresNothing) {
     const Image picture(40, 30, 1, 77);
     std::mt19937 random(3);
