@@ -48,10 +48,6 @@ double in_range(double likeness) {
 
 }  // namespace
 
-int apart_px(int template_width, int template_height) {
-    return std::max(3, std::min(template_width, template_height) / 3);
-}
-
 MatchEvidence match_evidence(const Matcher& matcher, const ScoreMap& map, const Peak& peak) {
     MatchEvidence evidence;
     evidence.likeness = matcher.quality(peak.score);

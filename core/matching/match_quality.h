@@ -18,10 +18,6 @@ struct MatchEvidence {
     std::optional<double> runner_up;
 };
 
-/// How far, in x or in y, another place must lie from the best one to be a rival to it: a third of
-/// the template's shorter side, 3 px at the least.
-int apart_px(int template_width, int template_height);
-
 /// The evidence for the peak of a map that the matcher has just made.
 MatchEvidence match_evidence(const Matcher& matcher, const ScoreMap& map, const Peak& peak);
 
