@@ -47,6 +47,10 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     c->add_option("--template", o.templ, "X,Y,W,H in the first frame; auto with sim:")->required();
     c->add_option("--start", o.sources.start, "Begin at this frame; numbering stays")
         ->check(CLI::NonNegativeNumber);
+    c->add_option("--rate", o.sources.pictures_rate_hz,
+                  "Single pictures a second, which carry no time themselves")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 1000.0));
     c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")->capture_default_str();
     c->add_option("--transform", o.transform, "none, gauss, rank3, rank5, census, sdog or gradient")
         ->capture_default_str();

@@ -101,6 +101,15 @@ TEST_F(BadInputTest, TheGoodCaseItselfWorks) {
     EXPECT_EQ(testing_support::rows_of_csv(folder_ / "out.csv").size(), 4U);
 }
 
+TEST_F(BadInputTest, SinglePicturesComeAtTheRateThatIsGiven) {
+    auto arguments = track(good_template_);
+    arguments.insert(arguments.end(), {"--rate", "4"});
+    EXPECT_EQ(run(arguments).exit_code, 0);
+    const auto rows = testing_support::rows_of_csv(folder_ / "out.csv");
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[3][1], "0.750000");
+}
+
 TEST_F(BadInputTest, WrongUsageIsTwo) {
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{},
@@ -111,7 +120,8 @@ TEST_F(BadInputTest, WrongUsageIsTwo) {
           {"convert", "rig.yaml"},
           {"convert", "--from", "kitti", "calib.txt"},
           {"convert", "--from", "kitti", "--to", "ros", "calib.txt", "out"},
-          {"simulate", "--out", "x", "--seconds", "-3"}}) {
+          {"simulate", "--out", "x", "--seconds", "-3"},
+          {"track", "--left", "a", "--template", "auto", "--csv", "x", "--rate", "0"}}) {
         const Finished finished = run(arguments);
         EXPECT_EQ(finished.exit_code, 2) << finished.errors;
         EXPECT_FALSE(finished.errors.empty() && finished.output.empty());
