@@ -60,6 +60,10 @@
         <translation>Vorlage gewählt</translation>
     </message>
     <message>
+        <source>Template set</source>
+        <translation>Vorlage gewählt</translation>
+    </message>
+    <message>
         <source>Tracking</source>
         <translation>Verfolgt</translation>
     </message>
@@ -231,6 +235,98 @@
         <source>Use the rig file that belongs to these pictures, or calibrate anew.</source>
         <translation>Nehmen Sie die Kalibrierdatei, die zu diesen Bildern gehört, oder kalibrieren Sie neu.</translation>
     </message>
+    <message>
+        <source>No file fits the pattern %1.</source>
+        <translation>Zum Muster %1 passt keine Datei.</translation>
+    </message>
+    <message>
+        <source>Check the folder and the pattern; on a command line, quote it.</source>
+        <translation>Prüfen Sie Ordner und Muster; auf der Kommandozeile gehört es in Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>The pattern %1 is not understood.</source>
+        <translation>Das Muster %1 ist nicht verständlich.</translation>
+    </message>
+    <message>
+        <source>Use one number form such as left/%06d.png, or left/*.png.</source>
+        <translation>Geben Sie eine Zahlenform wie links/%06d.png oder links/*.png.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Check the name.</source>
+        <translation>Prüfen Sie den Namen.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder.</source>
+        <translation>%1 ist ein Ordner.</translation>
+    </message>
+    <message>
+        <source>Name its pictures, for example %1.</source>
+        <translation>Nennen Sie seine Bilder, zum Beispiel %1.</translation>
+    </message>
+    <message>
+        <source>%1 can&apos;t be read as a picture: it is damaged, cut short or of another kind.</source>
+        <translation>%1 ist nicht als Bild lesbar: beschädigt, abgeschnitten oder von anderer Art.</translation>
+    </message>
+    <message>
+        <source>Check the file, or leave it out.</source>
+        <translation>Prüfen Sie die Datei, oder lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>%1 can&apos;t be read as a video: it is damaged, cut short or of another kind.</source>
+        <translation>%1 ist nicht als Video lesbar: beschädigt, abgeschnitten oder von anderer Art.</translation>
+    </message>
+    <message>
+        <source>Check that it plays elsewhere, or give pictures instead.</source>
+        <translation>Prüfen Sie, ob es anderswo läuft, oder geben Sie stattdessen Bilder.</translation>
+    </message>
+    <message>
+        <source>The video %1 is cut short: it announces %2 frames, but only %3 can be read.</source>
+        <translation>Das Video %1 ist abgeschnitten: Es kündigt %2 Bilder an, lesbar sind nur %3.</translation>
+    </message>
+    <message>
+        <source>Copy it again from where it was recorded, or cut it at that frame.</source>
+        <translation>Kopieren Sie es noch einmal vom Ort der Aufnahme, oder schneiden Sie es bei diesem Bild ab.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 pixels, the pictures before it %3.</source>
+        <translation>%1 hat %2 Bildpunkte, die Bilder davor %3.</translation>
+    </message>
+    <message>
+        <source>The left pictures are %1 pixels, the right ones %2.</source>
+        <translation>Die linken Bilder haben %1 Bildpunkte, die rechten %2.</translation>
+    </message>
+    <message>
+        <source>Give two sources of the same size.</source>
+        <translation>Geben Sie zwei Quellen gleicher Größe.</translation>
+    </message>
+    <message>
+        <source>The rig file holds no right camera.</source>
+        <translation>Die Kalibrierdatei enthält keine rechte Kamera.</translation>
+    </message>
+    <message>
+        <source>Calibrate both cameras, or leave the right source out.</source>
+        <translation>Kalibrieren Sie beide Kameras, oder lassen Sie die rechte Quelle weg.</translation>
+    </message>
+    <message>
+        <source>The rig file is not valid YAML (%1).</source>
+        <translation>Die Kalibrierdatei ist kein gültiges YAML (%1).</translation>
+    </message>
+    <message>
+        <source>Mend the file, or make it anew with calibrate or convert.</source>
+        <translation>Berichtigen Sie die Datei, oder erzeugen Sie sie neu mit calibrate oder convert.</translation>
+    </message>
+    <message>
+        <source>There is no rig file.</source>
+        <translation>Es fehlt die Kalibrierdatei.</translation>
+    </message>
+    <message>
+        <source>Name one with --rig.</source>
+        <translation>Nennen Sie eine mit --rig.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -302,8 +398,8 @@
         <translation>Freie Software unter der GNU General Public License, Version 3 oder später. Sie kommt ohne jede Gewähr.</translation>
     </message>
     <message>
-        <source>It runs on Qt %1 (LGPL-3), VTK (BSD-3), QCustomPlot (GPL-3), OpenCV (Apache-2), Eigen (MPL-2), Ceres Solver (BSD-3), yaml-cpp (MIT) and nlohmann-json (MIT).</source>
-        <translation>Sie läuft mit Qt %1 (LGPL-3), VTK (BSD-3), QCustomPlot (GPL-3), OpenCV (Apache-2), Eigen (MPL-2), Ceres Solver (BSD-3), yaml-cpp (MIT) und nlohmann-json (MIT).</translation>
+        <source>It runs on %1.</source>
+        <translation>Sie läuft mit %1.</translation>
     </message>
     <message>
         <source>About Kambara</source>
@@ -657,16 +753,16 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
         <translation>Hält das Ziel in der Mitte</translation>
     </message>
     <message>
-        <source>Clear trail</source>
-        <translation>Spur löschen</translation>
+        <source>Clear</source>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Forgets where the target was</source>
         <translation>Vergisst, wo das Ziel war</translation>
     </message>
     <message>
-        <source>Save picture…</source>
-        <translation>Bild speichern…</translation>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
     </message>
     <message>
         <source>Writes the 3-D view as a PNG file</source>
@@ -726,6 +822,10 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
 </context>
 <context>
     <name>kambara::ui::TrackPanel</name>
+    <message>
+        <source>Start tracking (F5) follows it; a new rectangle replaces it.</source>
+        <translation>„Verfolgung starten“ (F5) folgt ihr; ein neues Rechteck ersetzt sie.</translation>
+    </message>
     <message>
         <source>x (right)</source>
         <translation>x (rechts)</translation>

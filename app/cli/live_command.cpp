@@ -129,11 +129,11 @@ Result<Outcome> live(const LiveOptions& options) {
     const TruthSummary summary = truth.summary();
     return Outcome{
         std::nullopt, json_of(summary, system.latest()->frames_lost).dump(2),
-        format("%lld pairs, tracked in %.1f %%; range error mean %.3f %%, worst %.3f %%; head "
-               "within 1 degree for %.1f %% of the time; %llu pairs lost.\n",
+        format("%lld pairs, tracked in %.1f %%; range error mean %.3f %%, worst %.3f %%; %s; "
+               "%llu pairs lost.\n",
                static_cast<long long>(summary.frames), 100.0 * summary.tracked_fraction,
                summary.range_error_mean_pct, summary.range_error_worst_pct,
-               100.0 * summary.head_within_1_deg_fraction,
+               head_sentence(summary.head_within_1_deg_fraction).c_str(),
                static_cast<unsigned long long>(system.latest()->frames_lost))};
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/cli/bench_command.h"
@@ -46,9 +47,10 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     c->add_option("--template", o.templ, "X,Y,W,H in the first frame; auto with sim:")->required();
     c->add_option("--start", o.sources.start, "Begin at this frame; numbering stays")
         ->check(CLI::NonNegativeNumber);
-    c->add_option("--rate", o.sources.pictures_rate_hz, "Of single pictures, a second")
-        ->check(CLI::Range(0.001, 1000.0))
-        ->capture_default_str();
+    c->add_option("--rate", o.sources.pictures_rate_hz,
+                  "Single pictures a second, which carry no time themselves")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 1000.0));
     c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")->capture_default_str();
     c->add_option("--transform", o.transform, "none, gauss, rank3, rank5, census, sdog or gradient")
         ->capture_default_str();
@@ -85,12 +87,17 @@ void add_convert(CLI::App& app, Chosen& chosen, ConvertOptions& o) {
     c->add_option("files", o.files,
                   "With --from: the other program's files; with --to: a rig file, then a folder")
         ->required();
-    c->add_option("--from", o.from, "opencv, ros, kalibr or kitti");
-    c->add_option("--to", o.to, "opencv, ros or kalibr");
-    c->add_option("--out", o.out, "Rig file to write (with --from)");
+    CLI::Option* from = c->add_option("--from", o.from, "opencv, ros, kalibr or kitti");
+    CLI::Option* to = c->add_option("--to", o.to, "opencv, ros or kalibr")->excludes(from);
+    from->needs(c->add_option("--out", o.out, "Rig file to write (with --from)")->excludes(to));
     c->add_option("--size", o.size, "Picture size W,H where the files do not tell it");
     add_json(*c, chosen);
-    c->callback([&] { chosen.run = [&o] { return run_convert(o); }; });
+    c->callback([&, from, to] {
+        if (from->count() + to->count() == 0) {
+            throw CLI::RequiredError("--from or --to");
+        }
+        chosen.run = [&o] { return run_convert(o); };
+    });
 }
 
 void add_match(CLI::App& app, Chosen& chosen, MatchOptions& o) {
@@ -188,9 +195,17 @@ void add_bench(CLI::App& app, Chosen& chosen, BenchOptions& o) {
     c->callback([&] { chosen.run = [&o] { return run_bench(o); }; });
 }
 
+// The result for programs; a refusal says why, also where the command itself left it empty.
+std::string json_of(const Outcome& outcome) {
+    if (outcome.failure && outcome.json == Outcome{}.json) {
+        return nlohmann::json{{"error", outcome.failure->text()}}.dump(2);
+    }
+    return outcome.json;
+}
+
 int finish(const Outcome& outcome, const std::string& json) {
     if (json == "-") {
-        std::cout << outcome.json << '\n';
+        std::cout << json_of(outcome) << '\n';
     } else {
         std::cout << outcome.summary;
     }
@@ -199,7 +214,8 @@ int finish(const Outcome& outcome, const std::string& json) {
         std::cerr << "kambara-cli: " << outcome.failure->text() << '\n';
     }
     if (!json.empty() && json != "-") {
-        if (const auto written = write_text_file_atomically(json, outcome.json + "\n"); !written) {
+        if (const auto written = write_text_file_atomically(json, json_of(outcome) + "\n");
+            !written) {
             std::cerr << "kambara-cli: " << written.error().text() << '\n';
             return exit_failed;
         }

@@ -209,11 +209,10 @@ std::string summary_of(const nlohmann::json& report, const TrackOptions& options
     if (report.contains("truth") && report["tracked_frames"].get<long long>() > 0) {
         const auto& truth = report["truth"];
         std::snprintf(line, sizeof line,
-                      "Against the truth: range error mean %.3f %%, worst %.3f %%; head within 1 "
-                      "degree for %.1f %% of the time.\n",
+                      "Against the truth: range error mean %.3f %%, worst %.3f %%; %s.\n",
                       truth["range_error_mean_pct"].get<double>(),
                       truth["range_error_worst_pct"].get<double>(),
-                      100.0 * truth["head_within_1_deg_fraction"].get<double>());
+                      head_sentence(truth["head_within_1_deg_fraction"].get<double>()).c_str());
         text += line;
     }
     if (options.csv) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -17,6 +18,16 @@ constexpr std::int64_t settling_ns = 2'000'000'000;
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
+
+std::string head_sentence(double within_1_deg_fraction) {
+    if (!std::isfinite(within_1_deg_fraction)) {
+        return "too short to judge the head";
+    }
+    char text[80];
+    std::snprintf(text, sizeof text, "head within 1 degree for %.1f %% of the time",
+                  100.0 * within_1_deg_fraction);
+    return text;
+}
 
 TruthComparison::TruthComparison(std::shared_ptr<const SimulatedWorld> world,
                                  const Eigen::Vector2d& left_px, std::int64_t frame)
@@ -69,8 +80,10 @@ TruthSummary TruthComparison::summary() const {
     summary.range_error_mean_pct = share(range_error_sum_pct_, tracked_);
     summary.range_error_worst_pct = range_error_worst_pct_;
     summary.position_error_mean_mm = share(position_error_sum_mm_, tracked_);
-    summary.head_within_1_deg_fraction = share(static_cast<double>(head_within_), head_samples_);
-    summary.head_error_worst_deg = head_error_worst_deg_;
+    const bool judged = head_samples_ > 0;
+    summary.head_within_1_deg_fraction =
+        judged ? share(static_cast<double>(head_within_), head_samples_) : not_known;
+    summary.head_error_worst_deg = judged ? head_error_worst_deg_ : not_known;
     return summary;
 }
 

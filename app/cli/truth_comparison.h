@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "core/vsystem/snapshot.h"
 
@@ -20,9 +21,13 @@ struct TruthSummary {
     double range_error_mean_pct = 0.0;
     double range_error_worst_pct = 0.0;
     double position_error_mean_mm = 0.0;
-    double head_within_1_deg_fraction = 0.0;  ///< of the time after the first 2 s
-    double head_error_worst_deg = 0.0;        ///< likewise
+    /// Of the time after the first 2 s; NaN (in JSON: null) where the run was shorter.
+    double head_within_1_deg_fraction = 0.0;
+    double head_error_worst_deg = 0.0;  ///< likewise
 };
+
+/// The summary's word on the head, such as "head within 1 degree for 99.0 % of the time".
+std::string head_sentence(double within_1_deg_fraction);
 
 /// The truth for one snapshot.
 struct TruthSample {

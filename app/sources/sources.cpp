@@ -20,6 +20,16 @@ bool is_simulated(const std::string& source) {
     return source.starts_with(simulated);
 }
 
+Error no_such_head(const std::string& name) {
+    return {"There is no driver for the pan-tilt head " + name + ".",
+            "Give sim:default for a simulated one, or leave it out."};
+}
+
+// A name that means a device or a stream, for which there is no driver.
+bool names_a_device(const std::string& source) {
+    return source.starts_with("v4l2:") || source.starts_with("gst:") || source.starts_with("rtsp:");
+}
+
 // A clock that begins at zero when the simulation does.
 class ClockFrom final : public Clock {
   public:
@@ -39,6 +49,9 @@ Result<Sources> open_simulation(const SourceOptions& options, Clock& clock) {
         return Error{"The left pictures come from " + options.left + ", the right ones from " +
                          options.right + ".",
                      "Leave --right out: the simulated rig has both."};
+    }
+    if (!options.pan_tilt.empty() && !is_simulated(options.pan_tilt)) {
+        return no_such_head(options.pan_tilt);
     }
     auto profile = simulated_profile(std::string_view(options.left).substr(simulated.size()));
     if (!profile) {
@@ -80,6 +93,12 @@ Result<Sources> open_simulation(const SourceOptions& options, Clock& clock) {
 
 Result<Sources> open_recordings(const SourceOptions& options) {
     const MediaOptions media{options.start, options.pictures_rate_hz};
+    for (const std::string& source : {options.left, options.right}) {
+        if (names_a_device(source)) {
+            return Error{"There is no driver for the source " + source + ".",
+                         "Give a video file, a pattern of pictures, or sim:default."};
+        }
+    }
     Sources sources;
     auto left = open_media(options.left, media);
     if (!left) {
@@ -120,8 +139,7 @@ class TimedGrabber final : public GrabberBase {
 
 Result<Done> add_head(const SourceOptions& options, Sources& sources) {
     if (!is_simulated(options.pan_tilt)) {
-        return Error{"There is no driver for the pan-tilt head " + options.pan_tilt + ".",
-                     "Give sim:default for a simulated one, or leave it out."};
+        return no_such_head(options.pan_tilt);
     }
     if (!sources.parts.rig.pan_tilt) {
         return Error{"The rig file does not say where the pan-tilt camera is.",

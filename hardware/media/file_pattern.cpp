@@ -145,8 +145,7 @@ Result<std::vector<fs::path>> files_of_pattern(const fs::path& pattern) {
     auto files = wildcard ? files_of_wildcard(pattern) : files_of_numbers(text);
     if (files && files->empty()) {
         return Error{"No file fits the pattern " + text + ".",
-                     "Check the folder and the pattern; quote it so that the shell leaves it "
-                     "alone."};
+                     "Check the folder and the pattern; on a command line, quote it."};
     }
     return files;
 }

@@ -101,6 +101,15 @@ TEST_F(BadInputTest, TheGoodCaseItselfWorks) {
     EXPECT_EQ(testing_support::rows_of_csv(folder_ / "out.csv").size(), 4U);
 }
 
+TEST_F(BadInputTest, SinglePicturesComeAtTheRateThatIsGiven) {
+    auto arguments = track(good_template_);
+    arguments.insert(arguments.end(), {"--rate", "4"});
+    EXPECT_EQ(run(arguments).exit_code, 0);
+    const auto rows = testing_support::rows_of_csv(folder_ / "out.csv");
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[3][1], "0.750000");
+}
+
 TEST_F(BadInputTest, WrongUsageIsTwo) {
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{},
@@ -108,7 +117,11 @@ TEST_F(BadInputTest, WrongUsageIsTwo) {
           {"track"},
           {"track", "--no-such-option"},
           {"match", "only-one.png"},
-          {"simulate", "--out", "x", "--seconds", "-3"}}) {
+          {"convert", "rig.yaml"},
+          {"convert", "--from", "kitti", "calib.txt"},
+          {"convert", "--from", "kitti", "--to", "ros", "calib.txt", "out"},
+          {"simulate", "--out", "x", "--seconds", "-3"},
+          {"track", "--left", "a", "--template", "auto", "--csv", "x", "--rate", "0"}}) {
         const Finished finished = run(arguments);
         EXPECT_EQ(finished.exit_code, 2) << finished.errors;
         EXPECT_FALSE(finished.errors.empty() && finished.output.empty());
@@ -123,6 +136,11 @@ TEST_F(BadInputTest, MissingFiles) {
                    "Check the folder");
     expect_refused(track(good_template_, "rig.yaml", "no.mkv"), "There is no file no.mkv", "Check");
     expect_refused(track(good_template_, "rig.yaml", "left"), "is a folder", "Name its pictures");
+    expect_refused(track(good_template_, "rig.yaml", "v4l2:/dev/video0"),
+                   "no driver for the source", "Give a video file");
+    expect_refused({"track", "--left", "sim:default", "--template", "auto", "--pan-tilt",
+                    "visca:/dev/ttyS0", "--csv", "out.csv"},
+                   "no driver for the pan-tilt head visca:/dev/ttyS0", "sim:default");
     expect_refused({"match", "no.png", "left/000000.png"}, "There is no file no.png", "Check");
     expect_refused({"convert", "--from", "kitti", "no.txt", "--out", "x.yaml"},
                    "There is no file no.txt", "Check");
@@ -235,6 +253,22 @@ TEST_F(BadInputTest, TheJsonIsWrittenAlsoWhenRefused) {
     EXPECT_NE(finished.output.find("\"verdict\": \"refused\""), std::string::npos);
     EXPECT_NE(finished.output.find("\"accepted\": false"), std::string::npos);
     EXPECT_FALSE(fs::exists(folder_ / "x.yaml"));
+}
+
+TEST_F(BadInputTest, EveryCommandsJsonSaysWhyItWasRefused) {
+    for (const std::vector<std::string>& arguments :
+         {track("620,10,31,31"),
+          {"live", "--profile", "storm"},
+          {"simulate", "--profile", "storm", "--out", "sim"},
+          {"triangulate", "--rig", "no.yaml", "--points", "no.txt"},
+          {"convert", "--from", "kitti", "no.txt", "--out", "x.yaml"},
+          {"match", "no.png", "left/000000.png"}}) {
+        auto with_json = arguments;
+        with_json.insert(with_json.end(), {"--json", "-"});
+        const Finished finished = run(with_json);
+        EXPECT_EQ(finished.exit_code, 1);
+        EXPECT_NE(finished.output.find("\"error\""), std::string::npos) << arguments.front();
+    }
 }
 
 TEST_F(BadInputTest, ARefusedResultLeavesTheOldFile) {

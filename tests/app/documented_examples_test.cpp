@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/simulate_command.h"
 #include "app/cli/track_table.h"
 #include "app/cli/triangulate_command.h"
 #include "core/calibration/target.h"
@@ -79,6 +80,33 @@ TEST(DocumentedExamples, TheTrackTableHasTheHeaderThatIsWritten) {
     for (const std::string& line : {lines[1], row}) {
         EXPECT_EQ(std::count(line.begin(), line.end(), ','), 16) << line;
     }
+}
+
+TEST(DocumentedExamples, ALensOfBrownIsRead) {
+    // In the place of the left lens of the whole example.
+    std::string text = example("rig");
+    const auto from = text.find("    lens:");
+    const auto to = text.find("    T_camera_from_rig:");
+    std::string lens;
+    for (const std::string& line : lines_of(example("brown"))) {
+        lens += "    " + line + "\n";
+    }
+    text.replace(from, to - from, lens);
+    const auto rig = rig_from_text(text);
+    ASSERT_TRUE(rig) << rig.error().text();
+    EXPECT_EQ(std::get<BrownLens>(rig->left.lens).fx_px(), 533.6);
+}
+
+TEST(DocumentedExamples, TheTruthTableIsWhatARecordingHolds) {
+    const fs::path folder = testing_support::fresh_folder("documented_truth");
+    const auto outcome = cli::run_simulate({"default", 0.1, folder});
+    ASSERT_FALSE(outcome.failure) << outcome.failure->text();
+    const auto written = lines_of(testing_support::text_of(folder / "truth.csv"));
+    const auto documented = lines_of(example("truth"));
+    for (std::size_t i = 0; i < documented.size(); ++i) {
+        EXPECT_EQ(written.at(i), documented[i]);
+    }
+    fs::remove_all(folder);
 }
 
 TEST(DocumentedExamples, PointsAreRead) {

@@ -13,9 +13,10 @@ struct Fault {
     std::string what;
 };
 
-/// Reads every .h and .cpp under app, ui, core, hardware and tests of `root`, and reports: includes
-/// against the table of directions, Qt or VTK in core or hardware, an operating-system header in
-/// core, files past 600 lines, a missing licence line, headers without #pragma once.
+/// Reads every source under app, ui, core, hardware and tests of `root`, and reports: includes
+/// against the table of directions or not named from the root, Qt or VTK in core or hardware, VTK
+/// outside ui/scene3d, an operating-system header in core, files past 600 lines (400 in ui), a
+/// missing licence line, headers without #pragma once, sources that end in neither .h nor .cpp.
 std::vector<Fault> faults_of_sources(const std::filesystem::path& root);
 
 /// Compiles every header of app, ui, core and hardware by itself with `compiler` (a command with

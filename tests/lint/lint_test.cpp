@@ -52,6 +52,25 @@ TEST_F(LintTest, RefusesAnIncludeAgainstTheDirection) {
               std::string::npos);
 }
 
+TEST_F(LintTest, RefusesWaysRoundTheDirections) {
+    for (const char* include : {"\"../stereo/position.h\"", "\"position.h\"", "POSITION_HEADER"}) {
+        EXPECT_NE(only_fault("core/camera/bad.h", head + "#include " + include + "\n")
+                      .find("named from the project's root"),
+                  std::string::npos);
+    }
+    fs::remove(root_ / "core/camera/bad.h");
+    EXPECT_NE(only_fault("core/camera/bad.inl", head).find("end in .h or .cpp"), std::string::npos);
+}
+
+TEST_F(LintTest, LetsTheFrontEndSeeTheDoorAndTheSnapshotsOnly) {
+    write("ui/good.h", head + "#include \"core/vsystem/vsystem_interface.h\"\n");
+    write("ui/good.h", head + "#include \"core/vsystem/snapshot.h\"\n");
+    EXPECT_TRUE(faults_of_sources(root_).empty());
+    for (const char* include : {"core/vsystem/pipeline.h", "core/tracking/stereo_tracker.h"}) {
+        EXPECT_NE(only_fault("ui/bad.h", head + "#include \"" + include + "\"\n"), "");
+    }
+}
+
 TEST_F(LintTest, RefusesHardwareInCore) {
     EXPECT_NE(only_fault("core/vsystem/bad.h", head + "#include \"hardware/media/open_media.h\"\n"),
               "");
@@ -75,22 +94,37 @@ TEST_F(LintTest, LetsTheSimulationSeeTheTargetButNoMoreOfCalibration) {
 }
 
 TEST_F(LintTest, RefusesQtAndVtkInCoreAndHardware) {
-    EXPECT_NE(only_fault("core/base/bad.h", head + "#include <QString>\n").find("Qt"),
-              std::string::npos);
-    fs::remove(root_ / "core/base/bad.h");
-    EXPECT_NE(only_fault("hardware/media/bad.h", head + "#include <vtkActor.h>\n").find("VTK"),
-              std::string::npos);
-    fs::remove(root_ / "hardware/media/bad.h");
+    for (const char* include :
+         {"<QString>", "<QtGlobal>", "<QtWidgets>", "<QtCore/QString>", "<qglobal.h>",
+          "<QVTKOpenGLStereoWidget.h>", "<vtkActor.h>", "<vtk-9.1/vtkActor.h>"}) {
+        for (const char* file : {"core/base/bad.h", "hardware/media/bad.h"}) {
+            EXPECT_NE(only_fault(file, head + "#include " + include + "\n").find("Qt and VTK"),
+                      std::string::npos)
+                << include;
+            fs::remove(root_ / file);
+        }
+    }
     write("ui/good.h", head + "#include <QWidget>\n");
     EXPECT_TRUE(faults_of_sources(root_).empty());
 }
 
+TEST_F(LintTest, RefusesVtkOutsideThe3dView) {
+    write("ui/scene3d/good.h", head + "#include <vtkActor.h>\n");
+    EXPECT_TRUE(faults_of_sources(root_).empty());
+    EXPECT_NE(only_fault("ui/plots/bad.h", head + "#include <vtkActor.h>\n").find("ui/scene3d"),
+              std::string::npos);
+}
+
 TEST_F(LintTest, RefusesOperatingSystemHeadersInCoreOnly) {
-    EXPECT_NE(only_fault("core/base/bad.h", head + "#include <unistd.h>\n"), "");
+    for (const char* include : {"unistd.h", "sys/mman.h", "ifaddrs.h", "csignal"}) {
+        EXPECT_NE(only_fault("core/base/bad.h", head + "#include <" + include + ">\n")
+                      .find("no operating system"),
+                  std::string::npos)
+            << include;
+    }
     fs::remove(root_ / "core/base/bad.h");
-    EXPECT_NE(only_fault("core/base/bad.h", head + "#include <sys/mman.h>\n"), "");
-    fs::remove(root_ / "core/base/bad.h");
-    write("hardware/v4l2/good.h", head + "#include <sys/ioctl.h>\n");
+    write("hardware/v4l2/good.h", head + "#include <sys/ioctl.h>\n#include <unistd.h>\n");
+    write("core/base/good.h", head + "#include <vector>\n#include <yaml-cpp/yaml.h>\n");
     EXPECT_TRUE(faults_of_sources(root_).empty());
 }
 
@@ -100,6 +134,14 @@ TEST_F(LintTest, RefusesAFilePastSixHundredLines) {
         text += "//\n";
     }
     EXPECT_NE(only_fault("core/base/long.h", text).find("601 lines"), std::string::npos);
+}
+
+TEST_F(LintTest, RefusesAFileOfTheFrontEndPastFourHundredLines) {
+    std::string text = head;
+    for (int i = 0; i < 399; ++i) {
+        text += "//\n";
+    }
+    EXPECT_NE(only_fault("ui/long.h", text).find("401 lines"), std::string::npos);
 }
 
 TEST_F(LintTest, RefusesAMissingLicenceOrGuard) {

@@ -34,7 +34,10 @@ TEST(CoreText, TranslatesPhrasesAndKeepsTheirNumbers) {
     EXPECT_EQ(translated(std::string("nothing known")), "nothing known");
     EXPECT_EQ(translated(Error{"There is no pan-tilt head.", "Pray."}),
               "[There is no pan-tilt head.] Pray.");
+    EXPECT_EQ(translated(Error{"No file fits the pattern /a/%06d.png.", "Check the name."}),
+              "[No file fits the pattern /a/%06d.png.] [Check the name.]");
     EXPECT_EQ(name_of(TrackState::lost), "[Lost]");
+    EXPECT_EQ(name_of(TrackState::template_set), "[Template set]");
     QCoreApplication::removeTranslator(&brackets);
     EXPECT_EQ(translated(std::string("given up: not found in the right picture")),
               "given up: not found in the right picture");

@@ -4,7 +4,9 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QImage>
+#include <QRegularExpression>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 #include "tests/ui/window_page.h"
 #include "ui/scene3d/gl_probe.h"
@@ -47,6 +49,18 @@ TEST(Shell, KeepsItsLayoutAndRestoresTheDefault) {
     EXPECT_TRUE(page.until([&] { return page.part<QDockWidget>("plotsDock").isVisible(); }));
 }
 
+TEST(Shell, TheDefaultLayoutHidesNoButton) {
+    WindowPage page(WindowPage::simulated());
+    ASSERT_TRUE(page.until_picture());
+    if (page.window().width() < 1600) {
+        GTEST_SKIP() << "skipped: the screen is too narrow";
+    }
+    for (const QToolButton* arrow :
+         page.window().findChildren<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
+        EXPECT_FALSE(arrow->isVisible()) << "a tool bar hides some of its buttons";
+    }
+}
+
 TEST(Shell, WorksWithoutGlAndSaysSo) {
     WindowPage page(WindowPage::simulated(false));
     EXPECT_FALSE(page.scene().works());
@@ -77,9 +91,13 @@ TEST(Shell, SavesThe3dViewAsAPicture) {
     EXPECT_FALSE(page.scene().save_png(folder.filePath(QStringLiteral("none/scene.png"))));
 }
 
-TEST(Shell, AboutNamesTheLicences) {
-    for (const char* name : {"GNU General Public License", "Qt", "VTK", "QCustomPlot", "OpenCV"}) {
-        EXPECT_TRUE(ui::about_text().contains(QLatin1String(name))) << name;
+TEST(Shell, AboutNamesVersionsAndLicences) {
+    const QString text = ui::about_text();
+    EXPECT_TRUE(text.contains("GNU General Public License"));
+    for (const char* name : {"Qt", "QCustomPlot", "OpenCV", "Eigen", "Ceres Solver", "Highway",
+                             "FFTW", "yaml-cpp", "nlohmann-json"}) {
+        const QRegularExpression versioned(QLatin1String(name) + R"( \d+\.\d[\d.]* \()");
+        EXPECT_TRUE(text.contains(versioned)) << name << " in " << text.toStdString();
     }
 }
 

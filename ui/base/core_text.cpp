@@ -82,6 +82,32 @@ const char* const phrases[] = {
     QT_TRANSLATE_NOOP("core",
                       "Use the rig file that belongs to these pictures, or calibrate "
                       "anew."),
+    QT_TRANSLATE_NOOP("core", "No file fits the pattern %1."),
+    QT_TRANSLATE_NOOP("core", "Check the folder and the pattern; on a command line, quote it."),
+    QT_TRANSLATE_NOOP("core", "The pattern %1 is not understood."),
+    QT_TRANSLATE_NOOP("core", "Use one number form such as left/%06d.png, or left/*.png."),
+    QT_TRANSLATE_NOOP("core", "There is no folder %1."),
+    QT_TRANSLATE_NOOP("core", "Check the name."),
+    QT_TRANSLATE_NOOP("core", "%1 is a folder."),
+    QT_TRANSLATE_NOOP("core", "Name its pictures, for example %1."),
+    QT_TRANSLATE_NOOP(
+        "core", "%1 can't be read as a picture: it is damaged, cut short or of another kind."),
+    QT_TRANSLATE_NOOP("core", "Check the file, or leave it out."),
+    QT_TRANSLATE_NOOP("core",
+                      "%1 can't be read as a video: it is damaged, cut short or of another kind."),
+    QT_TRANSLATE_NOOP("core", "Check that it plays elsewhere, or give pictures instead."),
+    QT_TRANSLATE_NOOP(
+        "core", "The video %1 is cut short: it announces %2 frames, but only %3 can be read."),
+    QT_TRANSLATE_NOOP("core", "Copy it again from where it was recorded, or cut it at that frame."),
+    QT_TRANSLATE_NOOP("core", "%1 has %2 pixels, the pictures before it %3."),
+    QT_TRANSLATE_NOOP("core", "The left pictures are %1 pixels, the right ones %2."),
+    QT_TRANSLATE_NOOP("core", "Give two sources of the same size."),
+    QT_TRANSLATE_NOOP("core", "The rig file holds no right camera."),
+    QT_TRANSLATE_NOOP("core", "Calibrate both cameras, or leave the right source out."),
+    QT_TRANSLATE_NOOP("core", "The rig file is not valid YAML (%1)."),
+    QT_TRANSLATE_NOOP("core", "Mend the file, or make it anew with calibrate or convert."),
+    QT_TRANSLATE_NOOP("core", "There is no rig file."),
+    QT_TRANSLATE_NOOP("core", "Name one with --rig."),
 };
 
 struct Phrase {
@@ -129,6 +155,9 @@ QString translated(const Error& error) {
 }
 
 QString name_of(TrackState state) {
+    if (state == TrackState::template_set) {
+        return QCoreApplication::translate("core", "Template set");
+    }
     return translated(to_string(state));
 }
 

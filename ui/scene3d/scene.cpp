@@ -5,6 +5,8 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCoordinate.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMatrix4x4.h>
@@ -19,11 +21,14 @@
 #include <vtkSphereSource.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <QCoreApplication>
 #include <QFile>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <deque>
 #include <vector>
 
@@ -35,9 +40,21 @@ namespace {
 
 constexpr std::size_t most_trail_points = 3000;
 constexpr double field_depth_mm = 300.0;
-constexpr double drawn_larger =
-    10.0;  // the ellipsoid, which is of millimetres in a scene of metres
+constexpr double faintest = 0.25;  // the trail's oldest end
+// The ellipsoid is of millimetres in a scene of metres: it is drawn larger, by the first of these
+// that leaves it this small beside the range.
+constexpr std::array magnifications{50, 20, 10, 5, 2, 1};
+constexpr double most_share_of_range = 0.15;
 const Eigen::Vector3d first_focus_mm(0.0, 0.0, 1200.0);
+
+int magnification_of(const Position& position) {
+    const double longest_mm =
+        sigmas_of_95_percent * std::sqrt(std::max(0.0, position.covariance_mm2.trace()));
+    const double room_mm = most_share_of_range * position.point_in_left_mm.norm();
+    const auto* fits = std::find_if(magnifications.begin(), magnifications.end(),
+                                    [&](int times) { return times * longest_mm <= room_mm; });
+    return fits == magnifications.end() ? 1 : *fits;
+}
 
 class VtkScene final : public Scene {
   public:
@@ -131,8 +148,10 @@ class VtkScene final : public Scene {
         if (in_sight_) {
             target_->SetPosition(newest_.point_in_left_mm.x(), newest_.point_in_left_mm.y(),
                                  newest_.point_in_left_mm.z());
+            const int times = magnification_of(newest_);
             spread_->SetUserMatrix(ellipsoid(newest_.point_in_left_mm, newest_.covariance_mm2,
-                                             drawn_larger * sigmas_of_95_percent));
+                                             times * sigmas_of_95_percent));
+            write_note(times);
             if (follows_) {
                 centre_on(newest_.point_in_left_mm);
             }
@@ -195,6 +214,7 @@ class VtkScene final : public Scene {
             vtkNew<vtkPolyDataMapper> mapper;
             mapper->SetInputConnection(sphere->GetOutputPort());
             actor->SetMapper(mapper);
+            actor->GetProperty()->LightingOff();
             actor->SetVisibility(0);
             renderer_->AddActor(actor);
         }
@@ -202,33 +222,49 @@ class VtkScene final : public Scene {
         target_->GetProperty()->SetColor(1.0, 1.0, 1.0);
         spread_->GetProperty()->SetColor(theme::good.redF(), theme::good.greenF(),
                                          theme::good.blueF());
-        spread_->GetProperty()->SetOpacity(0.4);
+        spread_->GetProperty()->SetOpacity(0.5);
     }
 
     void add_note() {
+        write_note(magnifications.front());
+        note_->GetTextProperty()->SetFontSize(11);
+        note_->GetTextProperty()->SetVerticalJustificationToTop();
+        note_->GetTextProperty()->SetColor(theme::faint.redF(), theme::faint.greenF(),
+                                           theme::faint.blueF());
+        // At the top: the cameras' fields of view fill the bottom.
+        note_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+        note_->SetPosition(0.02, 0.97);
+        renderer_->AddActor2D(note_);
+    }
+
+    void write_note(int times) {
         const QString text = QCoreApplication::translate("kambara::ui::SceneView",
                                                          "left green, right cyan, pan-tilt amber\n"
                                                          "95 % ellipsoid drawn %1 times as large");
-        note_->SetInput(text.arg(static_cast<int>(drawn_larger)).toUtf8().constData());
-        note_->GetTextProperty()->SetFontSize(11);
-        note_->GetTextProperty()->SetColor(theme::faint.redF(), theme::faint.greenF(),
-                                           theme::faint.blueF());
-        note_->SetPosition(8, 6);
-        renderer_->AddActor2D(note_);
+        note_->SetInput(text.arg(times).toUtf8().constData());
     }
 
     void draw_trail() {
         vtkNew<vtkPoints> points;
         vtkNew<vtkCellArray> cells;
+        vtkNew<vtkUnsignedCharArray> colours;
+        colours->SetNumberOfComponents(3);
         for (const TrailPoint& place : trail_) {
             const vtkIdType id = points->InsertNextPoint(place.point_mm.data());
             if (place.joined) {
                 const vtkIdType ids[] = {id - 1, id};
                 cells->InsertNextCell(2, ids);
+                const double age =
+                    1.0 - static_cast<double>(id + 1) / static_cast<double>(trail_.size());
+                const double strength = 1.0 - (1.0 - faintest) * age;
+                colours->InsertNextTuple3(strength * theme::accent.red(),
+                                          strength * theme::accent.green(),
+                                          strength * theme::accent.blue());
             }
         }
         trail_data_->SetPoints(points);
         trail_data_->SetLines(cells);
+        trail_data_->GetCellData()->SetScalars(colours);
     }
 
     void centre_on(const Eigen::Vector3d& point_mm) {

@@ -50,6 +50,7 @@ SceneView::~SceneView() = default;
 void SceneView::build_controls() {
     // A tool bar hides what has no room behind its arrow; a row of buttons would widen the window.
     auto* bar = new QToolBar(this);
+    bar->setStyleSheet(QStringLiteral("QToolButton { padding: 3px 5px }"));
     const auto button = [&](const QString& text, const QString& help) {
         QAction* action = bar->addAction(text);
         action->setToolTip(help);
@@ -71,9 +72,8 @@ void SceneView::build_controls() {
         scene_->follow(on);
         changed_ = true;
     });
-    on_click(button(tr("Clear trail"), tr("Forgets where the target was")),
-             [this] { clear_trail(); });
-    on_click(button(tr("Save picture\u2026"), tr("Writes the 3-D view as a PNG file")),
+    on_click(button(tr("Clear"), tr("Forgets where the target was")), [this] { clear_trail(); });
+    on_click(button(tr("Save\u2026"), tr("Writes the 3-D view as a PNG file")),
              [this] { ask_for_png(); });
     layout()->addWidget(bar);
 }

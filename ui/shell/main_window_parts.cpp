@@ -120,7 +120,7 @@ void MainWindow::lay_out() {
         splitDockWidget(scene, plots, Qt::Horizontal);
         tabifyDockWidget(plots, events);
         plots->raise();
-        resizeDocks({map, scene, plots}, {260, 400, 560}, Qt::Horizontal);
+        resizeDocks({map, scene, plots}, {240, 440, 540}, Qt::Horizontal);
         resizeDocks({map, scene, plots}, {300, 300, 300}, Qt::Vertical);
         resizeDocks({track, picture, head}, {260, 280, 220}, Qt::Vertical);
     }

@@ -82,7 +82,9 @@ void TrackPanel::show_snapshot(const SnapshotPtr& snapshot) {
     const TrackEstimate& estimate = snapshot->tracks.front().estimate;
     state_->setText(name_of(estimate.state));
     state_->setStyleSheet(QStringLiteral("color: %1").arg(colour_of(estimate.state).name()));
-    reason_->setText(translated(estimate.reason));
+    reason_->setText(estimate.state == TrackState::template_set
+                         ? tr("Start tracking (F5) follows it; a new rectangle replaces it.")
+                         : translated(estimate.reason));
     quality_->setText(percent(estimate.quality));
     updates_->setText(QString::number(estimate.template_updates));
     if (!estimate.position) {

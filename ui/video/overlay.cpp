@@ -13,12 +13,6 @@ namespace {
 
 constexpr double arm = 6.0;  // of a cross, screen pixels
 
-QPen pen(const QColor& colour, double width, Qt::PenStyle style = Qt::SolidLine) {
-    QPen result(colour, width, style);
-    result.setCosmetic(true);
-    return result;
-}
-
 QPointF point(const Eigen::Vector2d& pixel) {
     return {pixel.x(), pixel.y()};
 }
@@ -34,7 +28,7 @@ void paint_match(QPainter& painter, const ViewTransform& view, const Eigen::Vect
     const QPointF centre = view.widget_from_pixel(point(pixel));
     const QSizeF size(size_px.x() * view.zoom(), size_px.y() * view.zoom());
     const QRectF box(centre - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
-    painter.setPen(pen(colour, 2.0));
+    painter.setPen(QPen(colour, 2.0));
     painter.drawRect(box);
     painter.drawLine(centre - QPointF(arm, 0.0), centre + QPointF(arm, 0.0));
     painter.drawLine(centre - QPointF(0.0, arm), centre + QPointF(0.0, arm));
@@ -51,7 +45,7 @@ void paint_match(QPainter& painter, const ViewTransform& view, const Eigen::Vect
 void paint_left(QPainter& painter, const ViewTransform& view, const TrackEstimate& estimate) {
     const QColor colour = colour_of(estimate.state);
     if (estimate.search && !estimate.search->map.empty()) {
-        painter.setPen(pen(colour, 1.0, Qt::DashLine));
+        painter.setPen(QPen(colour, 1.0, Qt::DashLine));
         painter.drawRect(area(view, estimate.search->window()));
     }
     if (estimate.left_px) {
@@ -66,7 +60,7 @@ void paint_right(QPainter& painter, const ViewTransform& view, const TrackEstima
         for (const Eigen::Vector2d& pixel : estimate.search->epipolar_px) {
             curve << view.widget_from_pixel(point(pixel));
         }
-        painter.setPen(pen(theme::epipolar, 1.2));
+        painter.setPen(QPen(theme::epipolar, 1.2));
         painter.drawPolyline(curve);
     }
     if (estimate.right_px) {
@@ -86,7 +80,7 @@ void paint_aim(QPainter& painter, const ViewTransform& view, const Snapshot& sna
     const QPointF middle =
         view.widget_from_pixel({0.5 * (picture->width() - 1), 0.5 * (picture->height() - 1)});
     const QColor colour = snapshot.head->automatic ? theme::good : theme::caution;
-    painter.setPen(pen(colour, 1.5));
+    painter.setPen(QPen(colour, 1.5));
     for (const QPointF& side : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
         painter.drawLine(middle + arm * side, middle + 3.0 * arm * side);
     }
@@ -112,7 +106,7 @@ void paint_overlay(QPainter& painter, const ViewTransform& view, ViewedCamera ca
 void paint_selection(QPainter& painter, const ViewTransform& view, const Rectangle& rectangle) {
     const QRectF box = area(view, rectangle);
     painter.fillRect(box, QColor(0x4f, 0xb3, 0xff, 0x30));
-    painter.setPen(pen(theme::accent, 2.0));
+    painter.setPen(QPen(theme::accent, 2.0));
     painter.drawRect(box);
     const QString size =
         QStringLiteral("%1 \u00D7 %2 px").arg(rectangle.width).arg(rectangle.height);
