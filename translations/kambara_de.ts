@@ -16,12 +16,20 @@
         <translation>keine Position: %1</translation>
     </message>
     <message>
-        <source>the match is only %1 % alike</source>
-        <translation>der Treffer ist nur zu %1 % ähnlich</translation>
+        <source>the match is right with a probability of only %1 %</source>
+        <translation>der Treffer stimmt nur mit einer Wahrscheinlichkeit von %1 %</translation>
     </message>
     <message>
-        <source>the most similar place in the left picture is only %1 % alike</source>
-        <translation>die ähnlichste Stelle im linken Bild ist nur zu %1 % ähnlich</translation>
+        <source>the likest place in the left picture is right with a probability of only %1 %</source>
+        <translation>die ähnlichste Stelle im linken Bild stimmt nur mit einer Wahrscheinlichkeit von %1 %</translation>
+    </message>
+    <message>
+        <source>another place where it may be looks the same</source>
+        <translation>eine andere Stelle, an der es sein kann, sieht ebenso aus</translation>
+    </message>
+    <message>
+        <source>what looks most like it is not where it may be</source>
+        <translation>was ihm am ähnlichsten ist, liegt nicht, wo es sein kann</translation>
     </message>
     <message>
         <source>looking for it: nothing in the left picture is clearly it</source>

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/matching/match_quality.h"
 #include "core/matching/matcher.h"
 #include "core/matching/peak.h"
 #include "core/matching/score_map.h"
@@ -66,16 +67,16 @@ std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, 
     }
     Found found;
     found.match.pixel = Eigen::Vector2d(peak->x, peak->y) + drawn.centre;
-    found.match.quality = matcher.quality(peak->score);
+    found.match.likeness = matcher.quality(peak->score);
     found.match.on_border = peak->on_border;
     found.match.size_px = {inner.width, inner.height};
     found.shift = Eigen::Vector2i(peak->whole_x, peak->whole_y) - drawn.top_left;
     if (const auto next = runner_up(map, measure, *peak, apart)) {
-        found.match.distinctness = found.match.quality - matcher.quality(*next);
+        found.match.distinctness = found.match.likeness - matcher.quality(*next);
     }
     if (reach_px > 0.0) {
         if (const auto rival = rival_quality(map, matcher, *peak, scope)) {
-            found.match.lead = found.match.quality - *rival;
+            found.match.lead = found.match.likeness - *rival;
         }
     }
     if (detail != nullptr) {
@@ -139,7 +140,7 @@ std::optional<RenderedPatch> refine(PatchMatch& match, const ReferencePatch& pat
         }
         const double moved = (pixel - match.pixel).norm();
         match.pixel = pixel;
-        match.quality = found->match.quality;
+        match.likeness = found->match.likeness;
         match.size_px = found->match.size_px;
         last = std::move(drawn);
         if (moved < settled_px) {
@@ -167,6 +168,17 @@ void measure_change(PatchMatch& match, const RenderedPatch& drawn, const Image& 
     }
 }
 
+// The quality of a refined match, whose rivals were seen when it was known to whole pixels.
+void weigh(PatchMatch& match, double whole_pixel_likeness, const MatchMethod& method) {
+    MatchEvidence evidence{match.likeness, std::nullopt};
+    if (match.distinctness < 1.0) {
+        evidence.runner_up = whole_pixel_likeness - match.distinctness;
+    }
+    match.quality = match_probability(method, evidence);
+    match.distinctness += match.likeness - whole_pixel_likeness;
+    match.lead += match.likeness - whole_pixel_likeness;
+}
+
 }  // namespace
 
 std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camera& left,
@@ -183,13 +195,12 @@ std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camer
         return std::nullopt;
     }
     PatchMatch& match = found->match;
-    const double whole_pixel_quality = match.quality;
+    const double whole_pixel_likeness = match.likeness;
     const auto last = refine(match, patch, left, camera, grey, scope.expected_in_rig_mm, options);
     if (last && options.measure_change) {
         measure_change(match, *last, grey);
     }
-    match.distinctness += match.quality - whole_pixel_quality;
-    match.lead += match.quality - whole_pixel_quality;
+    weigh(match, whole_pixel_likeness, options.method);
     return match;
 }
 
@@ -212,8 +223,8 @@ std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig
         if (!found) {
             continue;
         }
-        rivals.emplace_back(found->match.pixel, found->match.quality);
-        if (!best || found->match.quality > best->quality) {
+        rivals.emplace_back(found->match.pixel, found->match.likeness);
+        if (!best || found->match.likeness > best->likeness) {
             best = found->match;
             best_place = sample.point_in_rig_mm;
         }
@@ -223,16 +234,16 @@ std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig
     }
     const double apart = std::max(3.0, patch.size_px.minCoeff() / 3.0);
     best->distinctness = 1.0;
-    for (const auto& [pixel, quality] : rivals) {
+    for (const auto& [pixel, likeness] : rivals) {
         if ((pixel - best->pixel).norm() > apart) {
-            best->distinctness = std::min(best->distinctness, best->quality - quality);
+            best->distinctness = std::min(best->distinctness, best->likeness - likeness);
         }
     }
     best->on_border = false;
     tried.point_in_rig_mm = best_place;
-    const double whole_pixel_quality = best->quality;
+    const double whole_pixel_likeness = best->likeness;
     refine(*best, tried, rig.left, *rig.right, right_grey, best_place, options);
-    best->distinctness += best->quality - whole_pixel_quality;
+    weigh(*best, whole_pixel_likeness, options.method);
     return best;
 }
 

@@ -85,6 +85,7 @@ Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectang
     become(TrackState::template_set, "");
     PatchMatch here;
     here.pixel = centre;
+    here.likeness = 1.0;
     here.quality = 1.0;
     here.size_px = looks_->first().size_px;
     here.covariance_px2 =
@@ -172,8 +173,8 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
         miss(lost ? "looking for it: nothing in the left picture is clearly it"
                   : "the predicted place is outside the left picture");
     } else if (measured->left.quality < options_.lost_quality) {
-        miss("the most similar place in the left picture is only " +
-             percent(measured->left.quality) + " alike");
+        miss("the likest place in the left picture is right with a probability of only " +
+             percent(measured->left.quality));
     } else if (measured->ambiguous) {
         surprise_px_ = std::max(surprise_px_, 1.0) * surprise_grows;
         judge(*measured);
@@ -235,7 +236,7 @@ std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame
     std::size_t best_look = 0;
     double to_beat = quality_of(best) + preferred_by;
     for (const std::size_t look : looks_->later_by_use()) {
-        if (best && !best->ambiguous && best->left.quality >= options_.good_enough_quality) {
+        if (best && !best->ambiguous && best->left.likeness >= options_.good_enough_likeness) {
             break;
         }
         auto other_detail = std::make_shared<SearchDetail>();
@@ -317,7 +318,8 @@ void StereoTracker::judge(const TargetMeasurement& measured) {
     if (!measured.fault.empty()) {
         become(TrackState::doubtful, measured.fault);
     } else if (measured.quality < options_.good_quality) {
-        become(TrackState::doubtful, "the match is only " + percent(measured.quality) + " alike");
+        become(TrackState::doubtful,
+               "the match is right with a probability of only " + percent(measured.quality));
     } else {
         become(TrackState::tracking, "");
         sure_place_in_rig_mm_ = measured.point_in_rig_mm;
@@ -338,7 +340,7 @@ std::optional<Eigen::Vector2d> StereoTracker::aligned_by_first(const TargetMeasu
     const auto by_first =
         search_window(looks_->first(), rig_.left, rig_.left, grey,
                       {measured.point_in_rig_mm, realigned_within_px, 0.0}, options_.search);
-    if (!by_first || by_first->quality < options_.lost_quality) {
+    if (!by_first || by_first->likeness < options_.seen_likeness) {
         return measured.left.pixel;
     }
     const bool agreed =
@@ -349,8 +351,8 @@ std::optional<Eigen::Vector2d> StereoTracker::aligned_by_first(const TargetMeasu
 void StereoTracker::refresh_template(const TargetMeasurement& measured, const StereoFrame& frame) {
     const bool safe = estimate_.state == TrackState::tracking && (range_known_ || !rig_.right);
     // In stereo the first template fits for long, and the mean is begun when it no longer does.
-    const bool first_will_do = rig_.right && measured_by_first_ &&
-                               measured.left.quality >= options_.good_enough_quality;
+    const bool first_will_do =
+        rig_.right && measured_by_first_ && measured.left.likeness >= options_.good_enough_likeness;
     if (!options_.automatic_update || !safe || first_will_do) {
         return;
     }
@@ -366,7 +368,7 @@ void StereoTracker::refresh_template(const TargetMeasurement& measured, const St
     const Eigen::Vector3d place =
         ray->at((measured.point_in_rig_mm.z() - ray->origin_mm.z()) / ray->direction.z());
     looks_->blend(rig_.left, *frame.left.picture, place, options_.blend_share);
-    if (measured.left.quality >= options_.update_quality ||
+    if (measured.left.likeness >= options_.update_likeness ||
         frames_since_update_ < options_.update_interval_frames) {
         return;
     }

@@ -11,19 +11,20 @@ struct TrackerOptions {
     PatchSearchOptions search;
     PositionOptions position;
     RangeBounds range;
-    int window_radius_px = 24;          ///< left, about the predicted place
-    int wide_radius_px = 96;            ///< when the window holds nothing good
-    int band_px = 2;                    ///< right, on both sides of the epipolar curve
-    double right_reach_px = 16.0;       ///< along the curve, about the predicted place
-    double good_quality = 0.70;         ///< at least this: Tracking
-    double lost_quality = 0.50;         ///< less than this: Lost
-    double found_quality = 0.80;        ///< at least this to take a match far from the prediction
-    double least_distinctness = 0.03;   ///< of a match found without a prediction
-    double good_enough_quality = 0.95;  ///< of a look: no other is tried
-    double update_quality = 0.93;       ///< a fresh template is cut when all fit worse than this
-    double blend_share = 0.1;           ///< of a new picture in the mean of what was seen of late
-    double update_agreement_px = 3.0;   ///< so far at most may the first template see it elsewhere
-    int update_interval_frames = 1;     ///< but no more often than this
+    int window_radius_px = 24;           ///< left, about the predicted place
+    int wide_radius_px = 96;             ///< when the window holds nothing good
+    int band_px = 2;                     ///< right, on both sides of the epipolar curve
+    double right_reach_px = 16.0;        ///< along the curve, about the predicted place
+    double good_quality = 0.50;          ///< probably right: Tracking
+    double lost_quality = 0.15;          ///< less than this: Lost
+    double found_quality = 0.80;         ///< at least this to take a match far from the prediction
+    double least_distinctness = 0.03;    ///< of a match found without a prediction
+    double good_enough_likeness = 0.95;  ///< of a look: no other is tried
+    double update_likeness = 0.93;       ///< a fresh template is cut when all fit worse than this
+    double seen_likeness = 0.50;         ///< the first template still says where the target is
+    double blend_share = 0.1;            ///< of a new picture in the mean of what was seen of late
+    double update_agreement_px = 3.0;    ///< so far at most may the first template see it elsewhere
+    int update_interval_frames = 1;      ///< but no more often than this
     /// How fast a target may cross the picture while its motion is not known.
     double fastest_px_s = 400.0;
     /// How much it may grow and turn from one pair to the next: deviations, against which what is

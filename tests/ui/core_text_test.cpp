@@ -27,8 +27,8 @@ class Brackets : public QTranslator {
 TEST(CoreText, TranslatesPhrasesAndKeepsTheirNumbers) {
     Brackets brackets;
     QCoreApplication::installTranslator(&brackets);
-    EXPECT_EQ(translated(std::string("the match is only 63 % alike")),
-              "[the match is only 63 % alike]");
+    EXPECT_EQ(translated(std::string("the match is right with a probability of only 63 %")),
+              "[the match is right with a probability of only 63 %]");
     EXPECT_EQ(translated(std::string("Tracking -> Lost: not found in the right picture")),
               "[[Tracking] -> [Lost]: [not found in the right picture]]");
     EXPECT_EQ(translated(std::string("nothing known")), "nothing known");

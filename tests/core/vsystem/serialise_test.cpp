@@ -68,7 +68,7 @@ Snapshot full_snapshot() {
     snapshot.frames_lost = std::numeric_limits<std::uint64_t>::max();
     TrackSnapshot track{1, {}};
     track.estimate.state = TrackState::doubtful;
-    track.estimate.reason = "the match is only 65 % alike";
+    track.estimate.reason = "the match is right with a probability of only 65 %";
     track.estimate.left_px = Eigen::Vector2d(1.0 / 3.0, 2.5);
     track.estimate.right_px = Eigen::Vector2d(-4.25, 1e-17);
     track.estimate.quality = 0.65;
