@@ -172,7 +172,7 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
         place_unknown_ = false;  // from here on it is Lost, which looks everywhere as well
         miss(lost ? "looking for it: nothing in the left picture is clearly it"
                   : "the predicted place is outside the left picture");
-    } else if (measured->left.quality < options_.lost_quality) {
+    } else if (says_nothing(options_, measured->left)) {
         miss("the likest place in the left picture is right with a probability of only " +
              percent(measured->left.quality));
     } else if (measured->ambiguous) {

@@ -133,6 +133,10 @@ std::optional<std::string> leapt(const Rig& rig, const TrackerOptions& options,
 
 }  // namespace
 
+bool says_nothing(const TrackerOptions& options, const PatchMatch& match) {
+    return match.quality < options.lost_quality && match.likeness < options.seen_likeness;
+}
+
 TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
                                      const StereoFrame& frame, const SearchScope& scope,
                                      const PatchMatch& left, SearchDetail* detail) {
@@ -159,7 +163,7 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
         }
     }
     result.right = find_right(rig, options, frame, left, scope);
-    if (!result.right || result.right->quality < options.lost_quality) {
+    if (!result.right || says_nothing(options, *result.right)) {
         result.right.reset();
         result.fault = "not found in the right picture";
         return result;

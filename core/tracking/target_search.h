@@ -34,6 +34,10 @@ struct SearchScope {
     double reach_px = 24.0;   ///< how far off the expected place may be in the left picture
 };
 
+/// Whether a match says nothing of the target: improbable, and little alike as well, since of a
+/// place that was predicted likeness alone says something.
+bool says_nothing(const TrackerOptions& options, const PatchMatch& match);
+
 /// Looks for a patch: left in a window about the expected place (then in a wider one; once lost,
 /// everywhere if so told), right along the epipolar curve, then the position of both. Empty where
 /// the expected place can't be seen. `detail`, where there is one, is told how it was looked for.

@@ -21,7 +21,7 @@ struct TrackerOptions {
     double least_distinctness = 0.03;    ///< of a match found without a prediction
     double good_enough_likeness = 0.95;  ///< of a look: no other is tried
     double update_likeness = 0.93;       ///< a fresh template is cut when all fit worse than this
-    double seen_likeness = 0.50;         ///< the first template still says where the target is
+    double seen_likeness = 0.50;         ///< what is so alike is not lost, however probable
     double blend_share = 0.1;            ///< of a new picture in the mean of what was seen of late
     double update_agreement_px = 3.0;    ///< so far at most may the first template see it elsewhere
     int update_interval_frames = 1;      ///< but no more often than this
