@@ -33,10 +33,9 @@ void AppearanceBank::used(std::size_t i) {
 }
 
 void AppearanceBank::add(ReferencePatch patch) {
-    const std::size_t kept = mean_.empty() ? 1 : 2;
-    if (patches_.size() >= most_ && patches_.size() > kept) {
-        const auto oldest = std::min_element(last_use_.begin() + static_cast<std::ptrdiff_t>(kept),
-                                             last_use_.end());
+    if (patches_.size() >= most_ && patches_.size() > anchors()) {
+        const auto oldest = std::min_element(
+            last_use_.begin() + static_cast<std::ptrdiff_t>(anchors()), last_use_.end());
         patches_.erase(patches_.begin() + (oldest - last_use_.begin()));
         last_use_.erase(oldest);
     }

@@ -19,6 +19,8 @@ class AppearanceBank {
     ReferencePatch& first() { return patches_.front(); }
     const ReferencePatch& first() const { return patches_.front(); }
     std::size_t size() const { return patches_.size(); }
+    /// How many of them, from the beginning, are the first template and the mean.
+    std::size_t anchors() const { return mean_.empty() ? 1 : 2; }
     const ReferencePatch& at(std::size_t i) const { return patches_[i]; }
 
     /// The later ones by when they last fitted, the newest before the others.

@@ -75,9 +75,7 @@ std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, 
         found.match.distinctness = found.match.likeness - matcher.quality(*next);
     }
     if (reach_px > 0.0) {
-        if (const auto rival = rival_quality(map, matcher, *peak, scope)) {
-            found.match.lead = found.match.likeness - *rival;
-        }
+        found.match.rival = rival_quality(map, matcher, *peak, scope);
     }
     if (detail != nullptr) {
         detail->measure = measure;
@@ -176,7 +174,9 @@ void weigh(PatchMatch& match, double whole_pixel_likeness, const MatchMethod& me
     }
     match.quality = match_probability(method, evidence);
     match.distinctness += match.likeness - whole_pixel_likeness;
-    match.lead += match.likeness - whole_pixel_likeness;
+    if (match.rival) {
+        match.unrivalled = match_probability(method, {match.likeness, match.rival});
+    }
 }
 
 }  // namespace

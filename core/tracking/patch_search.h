@@ -22,11 +22,12 @@ struct MeasuredChange {
 struct PatchMatch {
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< of the reference point, sub-pixel
     Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
-    double likeness = 0.0;      ///< in [0, 1], by the measure alone (Matcher::quality)
-    double quality = 0.0;       ///< the probability that it is right (match_quality.h)
-    double distinctness = 1.0;  ///< likeness less that of the next best place; 1 if there is none
-    double lead = 1.0;          ///< likeness less that of the likest rival (rival.h); likewise
-    bool on_border = false;     ///< the best may lie outside the region searched
+    double likeness = 0.0;        ///< in [0, 1], by the measure alone (Matcher::quality)
+    double quality = 0.0;         ///< the probability that it is right (match_quality.h)
+    double distinctness = 1.0;    ///< likeness less that of the next best place; 1 if there is none
+    std::optional<double> rival;  ///< likeness of another place in reach (rival.h), if any
+    double unrivalled = 1.0;      ///< the probability that it is right rather than the rival
+    bool on_border = false;       ///< the best may lie outside the region searched
     Eigen::Vector2i size_px = Eigen::Vector2i::Zero();  ///< of the patch as drawn there
     /// How the target has turned and grown beside the patch as it was drawn, where that was asked
     /// for and could be told.

@@ -124,6 +124,7 @@ void StereoTracker::clear() {
     started_ = false;
     place_unknown_ = false;
     surprise_px_ = 0.0;
+    to_be_confirmed_ = false;
     frames_in_state_ = 0;
     frames_since_update_ = 0;
     estimate_ = {};
@@ -178,6 +179,7 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     } else if (measured->ambiguous) {
         surprise_px_ = std::max(surprise_px_, 1.0) * surprise_grows;
         judge(*measured);
+        to_be_confirmed_ = true;
     } else {
         note_surprise(*measured, scope.expected_in_rig_mm);
         adopt(*measured, frame);
@@ -315,8 +317,11 @@ void StereoTracker::anchor(const Eigen::Vector3d& point_in_rig_mm) {
 }
 
 void StereoTracker::judge(const TargetMeasurement& measured) {
+    const bool confirmed = !std::exchange(to_be_confirmed_, false);
     if (!measured.fault.empty()) {
         become(TrackState::doubtful, measured.fault);
+    } else if (!confirmed) {
+        become(TrackState::doubtful, "seen again after doubt: the next picture decides");
     } else if (measured.quality < options_.good_quality) {
         become(TrackState::doubtful,
                "the match is right with a probability of only " + percent(measured.quality));
@@ -330,22 +335,25 @@ void StereoTracker::judge(const TargetMeasurement& measured) {
     }
 }
 
-// Where the first template says that the target is, close to where it was measured; where it no
-// longer sees it at all, as measured. Empty where the two disagree.
-std::optional<Eigen::Vector2d> StereoTracker::aligned_by_first(const TargetMeasurement& measured,
-                                                               const Image& grey) const {
+// Where the first template says that the target is, close to where it was measured, or else the
+// mean of what was seen of late. Empty where that is somewhere else, or where neither sees it any
+// more: what is measured there may be something that hides it.
+std::optional<Eigen::Vector2d> StereoTracker::aligned(const TargetMeasurement& measured,
+                                                      const Image& grey) const {
     if (measured_by_first_) {
         return measured.left.pixel;
     }
-    const auto by_first =
-        search_window(looks_->first(), rig_.left, rig_.left, grey,
-                      {measured.point_in_rig_mm, realigned_within_px, 0.0}, options_.search);
-    if (!by_first || by_first->likeness < options_.seen_likeness) {
-        return measured.left.pixel;
+    for (std::size_t anchor = 0; anchor < looks_->anchors(); ++anchor) {
+        const auto seen =
+            search_window(looks_->at(anchor), rig_.left, rig_.left, grey,
+                          {measured.point_in_rig_mm, realigned_within_px, 0.0}, options_.search);
+        if (seen && seen->likeness >= options_.seen_likeness) {
+            const double off_px = (seen->pixel - measured.left.pixel).norm();
+            return off_px <= options_.update_agreement_px ? std::optional(seen->pixel)
+                                                          : std::nullopt;
+        }
     }
-    const bool agreed =
-        (by_first->pixel - measured.left.pixel).norm() <= options_.update_agreement_px;
-    return agreed ? std::optional(by_first->pixel) : std::nullopt;
+    return std::nullopt;
 }
 
 void StereoTracker::refresh_template(const TargetMeasurement& measured, const StereoFrame& frame) {
@@ -356,12 +364,8 @@ void StereoTracker::refresh_template(const TargetMeasurement& measured, const St
     if (!options_.automatic_update || !safe || first_will_do) {
         return;
     }
-    const auto aligned = aligned_by_first(measured, *frame.left.picture);
-    if (!aligned) {
-        return;
-    }
-    const Eigen::Vector2d pixel = *aligned;
-    const auto ray = rig_.left.unproject(pixel);
+    const auto pixel = aligned(measured, *frame.left.picture);
+    const auto ray = pixel ? rig_.left.unproject(*pixel) : std::nullopt;
     if (!ray || ray->direction.z() < least_forward) {
         return;
     }
@@ -373,7 +377,7 @@ void StereoTracker::refresh_template(const TargetMeasurement& measured, const St
         return;
     }
     frames_since_update_ = 0;
-    if (const auto cut = cut_anew(frame, measured, pixel)) {
+    if (const auto cut = cut_anew(frame, measured, *pixel)) {
         looks_->add(*cut);
         ++estimate_.template_updates;
     }

@@ -90,8 +90,8 @@ class StereoTracker {
     void follow_change(const TargetMeasurement& measured);
     void judge(const TargetMeasurement& measured);
     void anchor(const Eigen::Vector3d& point_in_rig_mm);
-    std::optional<Eigen::Vector2d> aligned_by_first(const TargetMeasurement& measured,
-                                                    const Image& grey) const;
+    std::optional<Eigen::Vector2d> aligned(const TargetMeasurement& measured,
+                                           const Image& grey) const;
     void refresh_template(const TargetMeasurement& measured, const StereoFrame& frame);
     void describe_size();
     void miss(const std::string& why);
@@ -105,6 +105,7 @@ class StereoTracker {
     bool place_unknown_ = false;
     bool started_ = false;
     bool measured_by_first_ = false;
+    bool to_be_confirmed_ = false;  // it was not told from its likes in the last pair
     int frames_in_state_ = 0;
     int frames_since_update_ = 0;
     std::optional<StereoFrame> last_frame_;

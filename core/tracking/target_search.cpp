@@ -58,7 +58,7 @@ std::optional<PatchMatch> find_left(const Rig& rig, const TrackerOptions& option
 // Why a match in the left picture may not be the target; empty where it may well be.
 std::string doubt_of(const Rig& rig, const TrackerOptions& options, const PatchMatch& left,
                      const SearchScope& scope) {
-    if (left.lead < options.least_distinctness) {
+    if (left.unrivalled < options.unrivalled_quality) {
         return "another place where it may be looks the same";
     }
     const auto expected = rig.left.project(scope.expected_in_rig_mm);

@@ -18,6 +18,7 @@ struct TrackerOptions {
     double good_quality = 0.50;          ///< probably right: Tracking
     double lost_quality = 0.15;          ///< less than this: Lost
     double found_quality = 0.80;         ///< at least this to take a match far from the prediction
+    double unrivalled_quality = 0.65;    ///< at least this where another place in reach looks alike
     double least_distinctness = 0.03;    ///< of a match found without a prediction
     double good_enough_likeness = 0.95;  ///< of a look: no other is tried
     double update_likeness = 0.93;       ///< a fresh template is cut when all fit worse than this
