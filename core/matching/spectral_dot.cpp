@@ -136,18 +136,9 @@ struct SpectralDot::Plan {
     void multiply(int first, int plane) const {
         const auto* of_plane = reinterpret_cast<const double*>(
             of_template.data() + bins() * static_cast<std::size_t>(plane));
-        for (int y = 0; y < height; ++y) {
-            const std::ptrdiff_t at = 2 * (static_cast<std::ptrdiff_t>(y) * bin_stride + first);
-            const double* a = &spectrum[0][0] + at;
-            const double* b = of_plane + at;
-            double* sum = &product[0][0] + at;
-            for (int i = 0; i < 2 * columns_together; i += 2) {
-                const double real = a[i] * b[i] - a[i + 1] * b[i + 1];
-                const double imaginary = a[i] * b[i + 1] + a[i + 1] * b[i];
-                sum[i] = plane == 0 ? real : sum[i] + real;
-                sum[i + 1] = plane == 0 ? imaginary : sum[i + 1] + imaginary;
-            }
-        }
+        best_kernels().multiply_spectra(&spectrum[first][0], of_plane + 2 * first,
+                                        {height, columns_together, bin_stride}, plane > 0,
+                                        &product[first][0]);
     }
     void down_columns(int plane, bool and_back) const {
         for (int first = 0; first < bin_stride; first += columns_together) {
@@ -229,9 +220,7 @@ void SpectralDot::dot(const Planes& image, const Block& block, std::int32_t* out
                     double* to = plan.value_row(y);
                     const std::uint8_t* from =
                         image.pixels + plane * image.plane_stride + (top + y) * image.stride + left;
-                    for (int x = 0; x < bytes; ++x) {
-                        to[x] = from[x] - 128;
-                    }
+                    best_kernels().centred_values(from, bytes, to);
                     std::fill(to + bytes, to + plan.width, 0.0);
                 }
                 plan.along_rows(lines);
@@ -240,10 +229,8 @@ void SpectralDot::dot(const Planes& image, const Block& block, std::int32_t* out
             for (int y = 0; y < rows; ++y) {
                 double* from = plan.value_row(y);
                 fftw_execute_dft_c2r(plan.row_back, plan.product + y * plan.bin_stride, from);
-                std::int32_t* to = out + (top + y) * block.stride + left;
-                for (int x = 0; x < columns; ++x) {
-                    to[x] = static_cast<std::int32_t>(std::nearbyint(from[x] * scale + middle));
-                }
+                best_kernels().whole_numbers(from, columns, scale, middle,
+                                             out + (top + y) * block.stride + left);
             }
         }
     }

@@ -344,6 +344,18 @@ HWY_NOINLINE void sad_rows(const Planes& image, const PackedTemplate& templ, con
     empty_all<ROWS>(sums, out, out_stride);
 }
 
+template <int ROWS>
+void sad_few_rows(int rows, const Planes& image, const PackedTemplate& templ, const Groups& groups,
+                  const std::uint8_t* pixels, std::uint32_t* out, std::ptrdiff_t out_stride) {
+    if constexpr (ROWS > 1) {
+        if (rows < ROWS) {
+            sad_few_rows<ROWS - 1>(rows, image, templ, groups, pixels, out, out_stride);
+            return;
+        }
+    }
+    sad_rows<ROWS>(image, templ, groups, pixels, out, out_stride);
+}
+
 void sad(const Planes& image, const PackedTemplate& templ, const Block& block, std::uint32_t* out) {
     constexpr int columns = vectors * in_vector;
     static thread_local Groups groups;
@@ -356,36 +368,7 @@ void sad(const Planes& image, const PackedTemplate& templ, const Block& block, s
         for (int x = 0; x < block.columns; x += columns) {
             const std::uint8_t* pixels = image.pixels + y * image.stride + x;
             std::uint32_t* to = out + y * block.stride + x;
-            switch (rows) {
-                case 8:
-                    sad_rows<std::min(8, most_rows)>(image, templ, groups, pixels, to,
-                                                     block.stride);
-                    break;
-                case 7:
-                    sad_rows<std::min(7, most_rows)>(image, templ, groups, pixels, to,
-                                                     block.stride);
-                    break;
-                case 6:
-                    sad_rows<std::min(6, most_rows)>(image, templ, groups, pixels, to,
-                                                     block.stride);
-                    break;
-                case 5:
-                    sad_rows<std::min(5, most_rows)>(image, templ, groups, pixels, to,
-                                                     block.stride);
-                    break;
-                case 4:
-                    sad_rows<4>(image, templ, groups, pixels, to, block.stride);
-                    break;
-                case 3:
-                    sad_rows<3>(image, templ, groups, pixels, to, block.stride);
-                    break;
-                case 2:
-                    sad_rows<2>(image, templ, groups, pixels, to, block.stride);
-                    break;
-                default:
-                    sad_rows<1>(image, templ, groups, pixels, to, block.stride);
-                    break;
-            }
+            sad_few_rows<most_rows>(rows, image, templ, groups, pixels, to, block.stride);
         }
         y += rows;
     }
