@@ -6,11 +6,10 @@
 #include "core/matching/correlator.h"
 
 namespace kambara {
-
 // Column sums over the template's height for the positions' row: rolled on from the row before, or
 // made anew for the first.
 void Correlator::roll_to(int row, int first_column, int columns) {
-    const int count = whole_groups(columns);
+    const int count = whole_vectors(columns);
     const auto pixels = [&](int plane, int y) {
         return planes_.pixels + plane * planes_.plane_stride + y * planes_.stride + first_column;
     };
@@ -60,8 +59,8 @@ void Correlator::score_correlations(const Block& block, int row) {
     } else {
         kernels_->dot(planes_from(row), packed_, block, dots_.data());
     }
-    const int columns = whole_groups(block.columns);
-    const int summed = whole_groups(block.columns + width_ - 1);
+    const int columns = whole_vectors(block.columns);
+    const int summed = whole_vectors(block.columns + width_ - 1);
     for (int y = 0; y < block.rows; ++y) {
         roll_to(row + y, 0, summed);
         kernels_->prefix_sums(column_sums_.data(), summed, sums_.data());

@@ -40,6 +40,7 @@ std::vector<Kernels> gather() {
             use_simd_sad(kernels);
             use_simd_hamming(kernels);
             use_simd_finish(kernels);
+            use_simd_spectrum(kernels);
             found.push_back(kernels);
         }
     }

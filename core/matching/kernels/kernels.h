@@ -23,6 +23,12 @@ constexpr int whole_groups(int count) {
     return (count + kernel_columns - 1) / kernel_columns * kernel_columns;
 }
 
+/// `count` rounded up to whole vectors of 32-bit numbers, the widest there are.
+constexpr int whole_vectors(int count) {
+    constexpr int lanes = 16;
+    return (count + lanes - 1) / lanes * lanes;
+}
+
 /// One or more planes of bytes.
 struct Planes {
     const std::uint8_t* pixels = nullptr;
@@ -68,6 +74,13 @@ struct Normalisation {
     double template_squares = 0.0;  ///< zero_mean: N sum(T^2) - sum(T)^2; else sum(T^2)
 };
 
+/// A few columns of spectra that have the same strides.
+struct SpectrumPart {
+    int rows = 0;
+    int columns = 0;            ///< a multiple of four
+    std::ptrdiff_t stride = 0;  ///< complex numbers from row to row
+};
+
 /// The inner loops, once for each kind of vector unit. All give the same integers, and correlations
 /// that differ in no bit, since they are made by correctly rounded operations only.
 struct Kernels {
@@ -85,7 +98,7 @@ struct Kernels {
                     std::uint32_t* out) = nullptr;
 
     /// Adds a row of pixels to the sums of columns and takes one away: of values and of squares.
-    /// Either row may be null. Whole groups of columns.
+    /// Either row may be null. Whole vectors of columns.
     void (*roll_columns)(const std::uint8_t* added, const std::uint8_t* removed, int count,
                          std::uint32_t* sums, std::uint32_t* squares) = nullptr;
 
@@ -94,12 +107,12 @@ struct Kernels {
     void (*take_off)(const std::uint32_t* sums, int width, int count,
                      std::uint32_t* costs) = nullptr;
 
-    /// out[0] = 0, out[x + 1] = out[x] + values[x], modulo 2^32: whole groups of columns, of both.
+    /// out[0] = 0, out[x + 1] = out[x] + values[x], modulo 2^32: whole vectors, of both.
     void (*prefix_sums)(const std::uint32_t* values, int count, std::uint32_t* out) = nullptr;
 
     /// A row of correlations from dot products and the prefix sums of columns of values and squares
-    /// under a template of `width` columns. A flat patch, or a flat template, gives 0. Whole groups
-    /// of columns.
+    /// under a template of `width` columns. A flat patch, or a flat template, gives 0. Whole
+    /// vectors of columns.
     void (*correlate)(const std::int32_t* dot, const std::uint32_t* sums,
                       const std::uint32_t* squares, int width, int count, const Normalisation&,
                       float* out) = nullptr;
@@ -111,6 +124,17 @@ struct Kernels {
     /// The largest of `count` scores, and the smallest of `count` costs. At least one.
     float (*largest)(const float* scores, int count) = nullptr;
     std::uint32_t (*smallest)(const std::uint32_t* costs, int count) = nullptr;
+
+    /// A row of I - 128, for a transform.
+    void (*centred_values)(const std::uint8_t* pixels, int count, double* out) = nullptr;
+
+    /// Products of complex numbers, real part first, in place of `out` or added to it.
+    void (*multiply_spectra)(const double* a, const double* b, const SpectrumPart&, bool add,
+                             double* out) = nullptr;
+
+    /// The whole numbers nearest to scale * value + offset.
+    void (*whole_numbers)(const double* values, int count, double scale, double offset,
+                          std::int32_t* out) = nullptr;
 };
 
 /// The best implementation this processor can run; KAMBARA_KERNELS=scalar, sse4, avx2, avx512bw (no

@@ -111,6 +111,32 @@ double multiply_add_at_best(int rounds) {
     return 8.0 * rounds;
 }
 
+void centred_values(const std::uint8_t* pixels, int count, double* out) {
+    for (int x = 0; x < count; ++x) {
+        out[x] = pixels[x] - 128;
+    }
+}
+
+void multiply_spectra(const double* a, const double* b, const SpectrumPart& part, bool add,
+                      double* out) {
+    for (int y = 0; y < part.rows; ++y) {
+        const std::ptrdiff_t row = 2 * y * part.stride;
+        for (std::ptrdiff_t i = row; i < row + 2 * part.columns; i += 2) {
+            const double real = a[i] * b[i] - a[i + 1] * b[i + 1];
+            const double imaginary = a[i] * b[i + 1] + a[i + 1] * b[i];
+            out[i] = add ? out[i] + real : real;
+            out[i + 1] = add ? out[i + 1] + imaginary : imaginary;
+        }
+    }
+}
+
+void whole_numbers(const double* values, int count, double scale, double offset,
+                   std::int32_t* out) {
+    for (int x = 0; x < count; ++x) {
+        out[x] = static_cast<std::int32_t>(std::nearbyint(values[x] * scale + offset));
+    }
+}
+
 float largest(const float* scores, int count) {
     return *std::max_element(scores, scores + count);
 }
@@ -122,10 +148,21 @@ std::uint32_t smallest(const std::uint32_t* costs, int count) {
 }  // namespace
 
 const Kernels& plain_kernels() {
-    static const Kernels kernels{
-        "scalar",     dot,      sad,         true,      hamming,
-        roll_columns, take_off, prefix_sums, correlate, multiply_add_at_best,
-        largest,      smallest};
+    static const Kernels kernels{"scalar",
+                                 dot,
+                                 sad,
+                                 true,
+                                 hamming,
+                                 roll_columns,
+                                 take_off,
+                                 prefix_sums,
+                                 correlate,
+                                 multiply_add_at_best,
+                                 largest,
+                                 smallest,
+                                 centred_values,
+                                 multiply_spectra,
+                                 whole_numbers};
     return kernels;
 }
 

@@ -14,5 +14,6 @@ void use_simd_dot(Kernels& kernels);
 void use_simd_sad(Kernels& kernels);
 void use_simd_hamming(Kernels& kernels);
 void use_simd_finish(Kernels& kernels);
+void use_simd_spectrum(Kernels& kernels);
 
 }  // namespace kambara

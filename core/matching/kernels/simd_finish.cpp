@@ -207,10 +207,12 @@ void correlate_large(const std::int32_t* dots, const std::uint32_t* sums,
     const VF template_factor = hn::Set(df, static_cast<float>(norm.template_squares));
     const int lanes = static_cast<int>(hn::Lanes(df));
     const int lanes_half = static_cast<int>(hn::Lanes(half));
-    alignas(64) float numerators[hn::MaxLanes(DF())];
-    alignas(64) float variances[hn::MaxLanes(DF())];
+    using VHalf = hn::Vec<hn::Rebind<float, DHalf> >;
     for (int x = 0; x < count; x += lanes) {
-        for (int h = 0; h < lanes; h += lanes_half) {
+        VHalf numerators[2];
+        VHalf variances[2];
+        for (int i = 0; i < 2; ++i) {
+            const int h = i * lanes_half;
             const VD dot = hn::PromoteTo(dd, hn::LoadU(half, dots + x + h));
             const VD sum =
                 double_of_squares<true>(hn::Sub(hn::LoadU(unsigned_half, sums + x + h + width),
@@ -227,11 +229,12 @@ void correlate_large(const std::int32_t* dots, const std::uint32_t* sums,
                 numerator = hn::Add(dot, hn::Mul(hn::Set(dd, 128.0), sum));
                 variance = square;
             }
-            hn::StoreU(hn::DemoteTo(float_half, numerator), float_half, numerators + h);
-            hn::StoreU(hn::DemoteTo(float_half, variance), float_half, variances + h);
+            numerators[i] = hn::DemoteTo(float_half, numerator);
+            variances[i] = hn::DemoteTo(float_half, variance);
         }
-        hn::StoreU(score_of(hn::Load(df, numerators), hn::Load(df, variances), template_factor), df,
-                   out + x);
+        hn::StoreU(score_of(hn::Combine(df, numerators[1], numerators[0]),
+                            hn::Combine(df, variances[1], variances[0]), template_factor),
+                   df, out + x);
     }
 }
 

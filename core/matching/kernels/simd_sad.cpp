@@ -4,6 +4,7 @@
 // template columns; it goes down the template, then to the next group.
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "core/matching/kernels/simd.h"
 
@@ -75,14 +76,20 @@ constexpr int group = 8;
 constexpr int most_in_sum = -1;  // the sums have 64 bits and are never full
 using Bytes = __m256i;
 using Sums = __m256i;
+using EightBytes = std::uint8_t[8];
+using SixteenBytes = std::uint8_t[16];
 
 HWY_INLINE Sums none() {
     return _mm256_setzero_si256();
 }
+// Written out, here and below, and kept in order: the sums fill the registers, and a compiler that
+// loads early or keeps what it could load again moves sums to memory and back.
 HWY_INLINE Bytes template_group(const std::uint8_t* at) {
-    std::int64_t eight;
-    std::memcpy(&eight, at, sizeof(eight));
-    return _mm256_set1_epi64x(eight);
+    Bytes eight;
+    asm volatile("vpbroadcastq %1, %0"
+                 : "=x"(eight)
+                 : "m"(*reinterpret_cast<const EightBytes*>(at)));
+    return eight;
 }
 // Each 64 bits hold the bytes from one position on, as many of eight as the row has left: the rest
 // is 0, as the template's padding is, and makes no difference.
@@ -100,30 +107,33 @@ constexpr Order order_of(int columns) {
 constexpr Order orders[9]{order_of(0), order_of(1), order_of(2), order_of(3), order_of(4),
                           order_of(5), order_of(6), order_of(7), order_of(8)};
 HWY_INLINE Bytes image_group(const std::uint8_t* pixels, const Order& order) {
-    const __m128i sixteen = _mm_loadu_si128(reinterpret_cast<const __m128i*>(pixels));
-    Bytes bytes = _mm256_broadcastsi128_si256(sixteen);
-    // Written out, so that the order stays in memory: the registers are all needed for the sums.
-    asm("vpshufb %1, %0, %0" : "+x"(bytes) : "m"(order));
+    Bytes bytes;
+    asm volatile(
+        "vbroadcasti128 %1, %0\n\t"
+        "vpshufb %2, %0, %0"
+        : "=&x"(bytes)
+        : "m"(*reinterpret_cast<const SixteenBytes*>(pixels)), "m"(order));
     return bytes;
 }
-HWY_INLINE const Order& order_for(std::size_t columns) {
-    return orders[std::min<std::size_t>(columns, 8)];
+HWY_INLINE const Order& order_for(int columns) {
+    return orders[std::min(columns, 8)];
 }
 constexpr bool counts_padding = false;
-// At the end of a row, where there are no eight bytes more.
-HWY_INLINE Bytes template_half(const std::uint8_t* at) {
-    std::uint32_t four;
-    std::memcpy(&four, at, sizeof(four));
-    return _mm256_set1_epi64x(four);
-}
 HWY_INLINE Sums add_differences(Sums sums, Bytes image, Bytes templ) {
-    return _mm256_add_epi64(sums, _mm256_sad_epu8(image, templ));
+    Sums differences;
+    asm volatile(
+        "vpsadbw %3, %2, %1\n\t"
+        "vpaddq %1, %0, %0"
+        : "+x"(sums), "=&x"(differences)
+        : "x"(image), "x"(templ));
+    return sums;
 }
-HWY_INLINE void empty(Sums sums, std::uint32_t* out) {
-    const __m256i low =
-        _mm256_permutevar8x32_epi32(sums, _mm256_setr_epi32(0, 2, 4, 6, 0, 0, 0, 0));
-    auto* to = reinterpret_cast<__m128i*>(out);
-    _mm_storeu_si128(to, _mm_add_epi32(_mm_loadu_si128(to), _mm256_castsi256_si128(low)));
+constexpr bool starts_at_zero = false;
+HWY_INLINE void empty(Sums left, Sums right, std::uint32_t* out) {
+    const __m256 both =
+        _mm256_shuffle_ps(_mm256_castsi256_ps(left), _mm256_castsi256_ps(right), 0x88);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out),
+                        _mm256_permute4x64_epi64(_mm256_castps_si256(both), 0xD8));
 }
 
 #elif HWY_TARGET == HWY_SSE4
@@ -194,46 +204,74 @@ HWY_INLINE void empty(Sums sums, std::uint32_t* out) {
 
 #if HWY_TARGET != HWY_AVX2
 constexpr bool counts_padding = true;
+constexpr bool starts_at_zero = true;  // the sums are added to what is there
+HWY_INLINE void empty(Sums left, Sums right, std::uint32_t* out) {
+    empty(left, out);
+    empty(right, out + in_vector);
+}
 struct Order {};
 constexpr Order any_order{};
-HWY_INLINE const Order& order_for(std::size_t) {
+HWY_INLINE const Order& order_for(int) {
     return any_order;
 }
 HWY_INLINE Bytes image_group(const std::uint8_t* pixels, const Order&) {
     return image_group(pixels);
 }
-// The padded rows hold whole groups only.
-HWY_INLINE Bytes template_half(const std::uint8_t* at) {
-    return template_group(at);
-}
 #endif
 
+static_assert(vectors == 2);
 using RowSums = Sums[most_rows][vectors];
 
-// Differences of one image row's group of columns, or half a group.
-template <bool HALF, int FIRST, int LAST>
-HWY_INLINE void add_group(const std::uint8_t* pixels, const std::uint8_t* of_first,
-                          std::size_t width, const Order& order, RowSums& sums) {
-    Bytes image[vectors];
-    for (int v = 0; v < vectors; ++v) {
-        image[v] = image_group(pixels + v * in_vector, order);
-    }
-    for (int r = FIRST; r <= LAST; ++r) {
-        const std::uint8_t* from = of_first - static_cast<std::size_t>(r - FIRST) * width;
-        const Bytes few = HALF ? template_half(from) : template_group(from);
-        for (int v = 0; v < vectors; ++v) {
-            sums[r][v] = add_differences(sums[r][v], image[v], few);
+// The template by groups of columns, each from its first row to its last: down a group, every
+// output row's bytes are a fixed way from the first's. Where a last group is wider than the
+// template's row, it ends in zeros.
+struct Groups {
+    std::vector<std::uint8_t> bytes;
+    std::ptrdiff_t in_row = 0;
+
+    void take(const PackedTemplate& templ) {
+        in_row = (templ.padded_width + group - 1) / group;
+        bytes.assign(static_cast<std::size_t>(in_row * group * templ.height * templ.planes), 0);
+        std::uint8_t* to = bytes.data();
+        for (int plane = 0; plane < templ.planes; ++plane) {
+            for (int i = 0; i < templ.padded_width; i += group) {
+                const std::uint8_t* from = templ.bytes.data() + templ.offset(plane, 0) + i;
+                const auto count =
+                    static_cast<std::size_t>(std::min(group, templ.padded_width - i));
+                for (int j = 0; j < templ.height; ++j, from += templ.padded_width, to += group) {
+                    std::memcpy(to, from, count);
+                }
+            }
         }
+    }
+};
+
+// Loops over the output rows are written as recursions: their sums then never leave the registers.
+template <int ROWS, int R = 0>
+HWY_INLINE void clear(RowSums& sums) {
+    if constexpr (R < ROWS) {
+        sums[R][0] = none();
+        sums[R][1] = none();
+        clear<ROWS, R + 1>(sums);
     }
 }
 
-template <int ROWS>
-HWY_INLINE void empty_all(RowSums& sums, std::uint32_t* out, std::ptrdiff_t out_stride) {
-    for (int r = 0; r < ROWS; ++r) {
-        for (int v = 0; v < vectors; ++v) {
-            empty(sums[r][v], out + r * out_stride + v * in_vector);
-            sums[r][v] = none();
-        }
+template <int ROWS, int R = 0>
+HWY_INLINE void empty_all(const RowSums& sums, std::uint32_t* out, std::ptrdiff_t out_stride) {
+    if constexpr (R < ROWS) {
+        empty(sums[R][0], sums[R][1], out + R * out_stride);
+        empty_all<ROWS, R + 1>(sums, out, out_stride);
+    }
+}
+
+// Differences of one image row's group of columns, for the output rows R to LAST.
+template <int R, int LAST>
+HWY_INLINE void add_to_rows(Bytes left, Bytes right, const std::uint8_t* of_templ, RowSums& sums) {
+    if constexpr (R <= LAST) {
+        const Bytes few = template_group(of_templ);
+        sums[R][0] = add_differences(sums[R][0], left, few);
+        sums[R][1] = add_differences(sums[R][1], right, few);
+        add_to_rows<R + 1, LAST>(left, right, of_templ - group, sums);
     }
 }
 
@@ -242,126 +280,95 @@ struct Descent {
     const std::uint8_t* pixels;  // of the image row
     std::ptrdiff_t image_stride;
     const std::uint8_t* of_templ;  // in the template row that the first output row sees
-    std::size_t width;             // from template row to template row
     const Order* order;
     std::uint32_t* out;
     std::ptrdiff_t out_stride;
     int in_sum;  // groups that the sums hold already
 };
 
-template <bool HALF, int ROWS, int FIRST, int LAST>
+template <int ROWS, int FIRST, int LAST>
 HWY_INLINE void add_next(Descent& at, const std::uint8_t* of_first, RowSums& sums) {
-    if (at.in_sum == most_in_sum) {
-        empty_all<ROWS>(sums, at.out, at.out_stride);
-        at.in_sum = 0;
+    if constexpr (most_in_sum > 0) {
+        if (at.in_sum == most_in_sum) {
+            empty_all<ROWS>(sums, at.out, at.out_stride);
+            clear<ROWS>(sums);
+            at.in_sum = 0;
+        }
+        ++at.in_sum;
     }
-    ++at.in_sum;
-    add_group<HALF, FIRST, LAST>(at.pixels, of_first, at.width, *at.order, sums);
+    const Bytes left = image_group(at.pixels, *at.order);
+    const Bytes right = image_group(at.pixels + in_vector, *at.order);
+    add_to_rows<FIRST, LAST>(left, right, of_first, sums);
     at.pixels += at.image_stride;
 }
 
 // The image rows under the first output rows only.
-template <bool HALF, int ROWS, int LAST>
+template <int ROWS, int LAST>
 HWY_INLINE void add_rising(Descent& at, RowSums& sums) {
     if constexpr (LAST < ROWS - 1) {
-        add_next<HALF, ROWS, 0, LAST>(at, at.of_templ, sums);
-        at.of_templ += at.width;
-        add_rising<HALF, ROWS, LAST + 1>(at, sums);
+        add_next<ROWS, 0, LAST>(at, at.of_templ, sums);
+        at.of_templ += group;
+        add_rising<ROWS, LAST + 1>(at, sums);
     }
 }
 
 // The image rows under the last output rows only.
-template <bool HALF, int ROWS, int FIRST>
+template <int ROWS, int FIRST>
 HWY_INLINE void add_falling(Descent& at, const std::uint8_t* last_row, RowSums& sums) {
     if constexpr (FIRST < ROWS) {
-        add_next<HALF, ROWS, FIRST, ROWS - 1>(at, last_row, sums);
-        add_falling<HALF, ROWS, FIRST + 1>(at, last_row, sums);
+        add_next<ROWS, FIRST, ROWS - 1>(at, last_row, sums);
+        add_falling<ROWS, FIRST + 1>(at, last_row, sums);
     }
 }
 
-// A group of columns down the template.
-template <bool HALF, int ROWS>
-HWY_INLINE void add_columns(Descent& at, int height, RowSums& sums) {
-    add_rising<HALF, ROWS, 0>(at, sums);
-    for (int j = ROWS - 1; j < height; ++j) {
-        add_next<HALF, ROWS, 0, ROWS - 1>(at, at.of_templ, sums);
-        at.of_templ += at.width;
-    }
-    add_falling<HALF, ROWS, 1>(at, at.of_templ - at.width, sums);
-}
-
-// ROWS output rows of one group of positions, added to `out`. ROWS is not above the template's
-// height.
+// ROWS output rows of one group of positions. ROWS is not above the template's height.
 template <int ROWS>
-HWY_NOINLINE void sad_rows(const Planes& image, const PackedTemplate& templ,
+HWY_NOINLINE void sad_rows(const Planes& image, const PackedTemplate& templ, const Groups& groups,
                            const std::uint8_t* first_pixel, std::uint32_t* out,
                            std::ptrdiff_t out_stride) {
     RowSums sums;
-    for (int r = 0; r < ROWS; ++r) {
-        for (int v = 0; v < vectors; ++v) {
-            sums[r][v] = none();
-        }
-    }
-    const auto width = static_cast<std::size_t>(templ.padded_width);
-    const auto used = static_cast<std::size_t>(templ.width);
-    int in_sum = 0;
+    clear<ROWS>(sums);
+    Descent at{first_pixel, image.stride, groups.bytes.data(), nullptr, out, out_stride, 0};
     for (int plane = 0; plane < templ.planes; ++plane) {
-        for (std::size_t i = 0; i < width; i += group) {
-            Descent at{first_pixel + plane * image.plane_stride + i,
-                       image.stride,
-                       templ.bytes.data() + templ.offset(plane, 0) + i,
-                       width,
-                       &order_for(used - i),
-                       out,
-                       out_stride,
-                       in_sum};
-            if (i + group <= width) {
-                add_columns<false, ROWS>(at, templ.height, sums);
-            } else {
-                add_columns<true, ROWS>(at, templ.height, sums);
+        for (std::ptrdiff_t g = 0; g < groups.in_row; ++g) {
+            at.pixels = first_pixel + plane * image.plane_stride + g * group;
+            at.order = &order_for(templ.width - static_cast<int>(g) * group);
+            add_rising<ROWS, 0>(at, sums);
+            for (int j = ROWS - 1; j < templ.height; ++j) {
+                add_next<ROWS, 0, ROWS - 1>(at, at.of_templ, sums);
+                at.of_templ += group;
             }
-            in_sum = at.in_sum;
+            add_falling<ROWS, 1>(at, at.of_templ - group, sums);
         }
     }
     empty_all<ROWS>(sums, out, out_stride);
 }
 
+template <int ROWS>
+void sad_few_rows(int rows, const Planes& image, const PackedTemplate& templ, const Groups& groups,
+                  const std::uint8_t* pixels, std::uint32_t* out, std::ptrdiff_t out_stride) {
+    if constexpr (ROWS > 1) {
+        if (rows < ROWS) {
+            sad_few_rows<ROWS - 1>(rows, image, templ, groups, pixels, out, out_stride);
+            return;
+        }
+    }
+    sad_rows<ROWS>(image, templ, groups, pixels, out, out_stride);
+}
+
 void sad(const Planes& image, const PackedTemplate& templ, const Block& block, std::uint32_t* out) {
     constexpr int columns = vectors * in_vector;
+    static thread_local Groups groups;
+    groups.take(templ);
     for (int y = 0; y < block.rows;) {
         const int rows = std::min({most_rows, block.rows - y, templ.height});
-        for (int r = 0; r < rows; ++r) {
+        for (int r = 0; starts_at_zero && r < rows; ++r) {
             std::fill_n(out + (y + r) * block.stride, whole_groups(block.columns), 0U);
         }
         for (int x = 0; x < block.columns; x += columns) {
             const std::uint8_t* pixels = image.pixels + y * image.stride + x;
             std::uint32_t* to = out + y * block.stride + x;
-            switch (rows) {
-                case 8:
-                    sad_rows<std::min(8, most_rows)>(image, templ, pixels, to, block.stride);
-                    break;
-                case 7:
-                    sad_rows<std::min(7, most_rows)>(image, templ, pixels, to, block.stride);
-                    break;
-                case 6:
-                    sad_rows<std::min(6, most_rows)>(image, templ, pixels, to, block.stride);
-                    break;
-                case 5:
-                    sad_rows<std::min(5, most_rows)>(image, templ, pixels, to, block.stride);
-                    break;
-                case 4:
-                    sad_rows<4>(image, templ, pixels, to, block.stride);
-                    break;
-                case 3:
-                    sad_rows<3>(image, templ, pixels, to, block.stride);
-                    break;
-                case 2:
-                    sad_rows<2>(image, templ, pixels, to, block.stride);
-                    break;
-                default:
-                    sad_rows<1>(image, templ, pixels, to, block.stride);
-                    break;
-            }
+            sad_few_rows<most_rows>(rows, image, templ, groups, pixels, to, block.stride);
         }
         y += rows;
     }

@@ -201,6 +201,35 @@ TEST_P(CorrelatorTest, GivesTheSameBitsAsThePlainLoops) {
     }
 }
 
+TEST_P(CorrelatorTest, TheStepsAboutTheTransformAreThePlainOnes) {
+    std::mt19937 random(11);
+    constexpr int count = 45;
+    constexpr SpectrumPart part{3, 8, 13};
+    std::vector<std::uint8_t> pixels(count);
+    std::vector<double> left(2 * 3 * 13);
+    std::vector<double> right(left.size());
+    for (std::uint8_t& pixel : pixels) {
+        pixel = static_cast<std::uint8_t>(random());
+    }
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        left[i] = static_cast<double>(random() % 2001) - 1000.0;
+        right[i] = static_cast<double>(random() % 2001) - 1000.0;
+    }
+    const auto results = [&](const Kernels& by) {
+        std::vector<double> values(count);
+        by.centred_values(pixels.data(), count, values.data());
+        std::vector<double> products(left.size(), 5.0);
+        by.multiply_spectra(left.data(), right.data(), part, false, products.data());
+        by.multiply_spectra(left.data(), left.data(), part, true, products.data());
+        std::vector<std::int32_t> whole(count);
+        by.whole_numbers(left.data(), count, 1.0 / 3.0, 0.1, whole.data());
+        values.insert(values.end(), products.begin(), products.end());
+        values.insert(values.end(), whole.begin(), whole.end());
+        return values;
+    };
+    EXPECT_EQ(results(kernels()), results(plain_kernels()));
+}
+
 TEST(Correlator, ThroughTheSpectrumTheSameBitsComeOut) {
     std::mt19937 random(9);
     for (int round = 0; round < 24; ++round) {
