@@ -317,7 +317,9 @@ void StereoTracker::anchor(const Eigen::Vector3d& point_in_rig_mm) {
 }
 
 void StereoTracker::judge(const TargetMeasurement& measured) {
-    const bool confirmed = !std::exchange(to_be_confirmed_, false);
+    // What confirms must be surer than what goes on.
+    const bool unsure = measured.left.unrivalled < options_.found_quality;
+    const bool confirmed = !std::exchange(to_be_confirmed_, to_be_confirmed_ && unsure);
     if (!measured.fault.empty()) {
         become(TrackState::doubtful, measured.fault);
     } else if (!confirmed) {
