@@ -335,6 +335,30 @@
         <source>Name one with --rig.</source>
         <translation>Nennen Sie eine mit --rig.</translation>
     </message>
+    <message>
+        <source>Target %1: %2</source>
+        <translation>Ziel %1: %2</translation>
+    </message>
+    <message>
+        <source>The head is steered to target %1 now.</source>
+        <translation>Der Kopf folgt jetzt Ziel %1.</translation>
+    </message>
+    <message>
+        <source>There is no target %1.</source>
+        <translation>Es gibt kein Ziel %1.</translation>
+    </message>
+    <message>
+        <source>Choose it in the left picture first.</source>
+        <translation>Wählen Sie es erst im linken Bild.</translation>
+    </message>
+    <message>
+        <source>Targets have the numbers 1 to %1: there can&apos;t be a target %2.</source>
+        <translation>Ziele haben die Nummern 1 bis %1: ein Ziel %2 kann es nicht geben.</translation>
+    </message>
+    <message>
+        <source>Clear a target, then choose this one with its number.</source>
+        <translation>Löschen Sie ein Ziel und wählen Sie dieses dann mit dessen Nummer.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -886,6 +910,22 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
         <source>Drag a rectangle over the target in the left picture.</source>
         <translation>Ziehen Sie im linken Bild ein Rechteck über das Ziel.</translation>
     </message>
+    <message>
+        <source>Steered target</source>
+        <translation>Ziel des Kopfs</translation>
+    </message>
+    <message>
+        <source>Ctrl + drag in the left picture chooses one more target; Ctrl + click on one steers to it.</source>
+        <translation>Ziehen mit Strg im linken Bild wählt ein weiteres Ziel; Klicken mit Strg auf eines lässt den Kopf ihm folgen.</translation>
+    </message>
+    <message>
+        <source>number %1, one of %2</source>
+        <translation>Nummer %1, eines von %2</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
 </context>
 <context>
     <name>kambara::ui::VideoView</name>
@@ -969,10 +1009,6 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
         <translation>Ziel &amp;wählen</translation>
     </message>
     <message>
-        <source>Offers a rectangle in the left picture: arrow keys move it, with Shift they change its size, Enter takes it. With the mouse: drag a rectangle</source>
-        <translation>Bietet im linken Bild ein Rechteck an: Pfeiltasten verschieben es, mit Umschalt ändern sie seine Größe, Eingabe übernimmt es. Mit der Maus: ein Rechteck ziehen</translation>
-    </message>
-    <message>
         <source>St&amp;art tracking</source>
         <translation>Verfolgung &amp;starten</translation>
     </message>
@@ -999,10 +1035,6 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>&amp;Clear template</source>
         <translation>Vorlage &amp;löschen</translation>
-    </message>
-    <message>
-        <source>Forgets the target</source>
-        <translation>Vergisst das Ziel</translation>
     </message>
     <message>
         <source>&amp;Steer</source>
@@ -1095,6 +1127,14 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>There is no template.</source>
         <translation>Es gibt keine Vorlage.</translation>
+    </message>
+    <message>
+        <source>Offers a rectangle in the left picture: arrow keys move it, with Shift they change its size, Enter takes it. With the mouse: drag a rectangle. With Ctrl: one more target</source>
+        <translation>Bietet im linken Bild ein Rechteck an: Pfeiltasten verschieben es, mit Umschalt ändern sie seine Größe, Eingabe übernimmt es. Mit der Maus: ein Rechteck ziehen. Mit Strg: ein weiteres Ziel</translation>
+    </message>
+    <message>
+        <source>Forgets all targets</source>
+        <translation>Vergisst alle Ziele</translation>
     </message>
 </context>
 </TS>

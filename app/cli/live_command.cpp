@@ -37,8 +37,7 @@ std::string header() {
 
 std::string row(const Shown& shown) {
     const Snapshot& snapshot = *shown.snapshot;
-    const TrackEstimate estimate =
-        snapshot.tracks.empty() ? TrackEstimate{} : snapshot.tracks.front().estimate;
+    const TrackEstimate estimate = steered_estimate(snapshot);
     std::string text = format("%8.2f  %-11s  ", static_cast<double>(snapshot.time_ns) * 1e-9,
                               to_string(estimate.state).c_str());
     if (estimate.position) {

@@ -39,12 +39,20 @@ void add_json(CLI::App& command, Chosen& chosen) {
 }
 
 void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
-    CLI::App* c = app.add_subcommand("track", "Follow a target through stereo pictures");
-    c->add_option("--rig", o.sources.rig, "Rig file; not needed with sim:, nor with --left alone (then without positions)");
+    CLI::App* c = app.add_subcommand("track", "Follow targets through stereo pictures");
+    c->add_option("--rig", o.sources.rig,
+                  "Rig file; not needed with sim:, nor with --left alone (then without positions)");
     c->add_option("--left", o.sources.left, "Left pictures: a video, a pattern, or sim:PROFILE")
         ->required();
     c->add_option("--right", o.sources.right, "Right pictures");
-    c->add_option("--template", o.templ, "X,Y,W,H in the first frame; auto with sim:")->required();
+    c->add_option(
+         "--template", o.templates,
+         "X,Y,W,H in the first frame; auto with sim:. Given again (up to 16 times): one more "
+         "target")
+        ->required()
+        ->allow_extra_args(false);
+    c->add_option("--steer", o.steer, "The target that the head is steered to, counted from 1")
+        ->capture_default_str();
     c->add_option("--start", o.sources.start, "Begin at this frame; numbering stays")
         ->check(CLI::NonNegativeNumber);
     c->add_option("--rate", o.sources.pictures_rate_hz,

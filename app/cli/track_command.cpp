@@ -20,8 +20,8 @@ namespace {
 // What the run gathers, frame by frame, on the pipeline's thread.
 class TrackLog {
   public:
-    TrackLog(std::optional<TruthComparison> truth, std::int64_t end_ns)
-        : truth_(std::move(truth)), end_ns_(end_ns) {}
+    TrackLog(std::size_t targets, std::optional<TruthComparison> truth, std::int64_t end_ns)
+        : tracked_of_(targets, 0), truth_(std::move(truth)), end_ns_(end_ns) {}
 
     void add(const Snapshot& snapshot) {
         {
@@ -52,7 +52,7 @@ class TrackLog {
     }
     std::string table() const {
         std::lock_guard lock(mutex_);
-        return track_table_header() + rows_;
+        return (several() ? targets_table_header() : track_table_header()) + rows_;
     }
 
     nlohmann::json report() const {
@@ -60,10 +60,18 @@ class TrackLog {
         nlohmann::json json{
             {"frames", frames_},
             {"tracked_frames", tracked_},
-            {"tracked_fraction", frames_ > 0 ? double(tracked_) / double(frames_) : 0.0},
+            {"tracked_fraction", share(tracked_)},
             {"first_frame", first_row_},
             {"last_frame", last_row_},
             {"processing_ms_mean", frames_ > 0 ? processing_ms_ / double(frames_) : 0.0}};
+        if (several()) {
+            json["steered_target"] = steered_;
+            for (std::size_t i = 0; i < tracked_of_.size(); ++i) {
+                json["targets"].push_back({{"target", i + 1},
+                                           {"tracked_frames", tracked_of_[i]},
+                                           {"tracked_fraction", share(tracked_of_[i])}});
+            }
+        }
         if (truth_) {
             const TruthSummary truth = truth_->summary();
             json["truth"] = {{"tracked_fraction", truth.tracked_fraction},
@@ -77,6 +85,10 @@ class TrackLog {
     }
 
   private:
+    bool several() const { return tracked_of_.size() > 1; }
+    double share(std::int64_t tracked) const {
+        return frames_ > 0 ? double(tracked) / double(frames_) : 0.0;
+    }
     bool past_end(const Snapshot& snapshot) const { return snapshot.time_ns >= end_ns_; }
 
     void add_row(const Snapshot& snapshot) {
@@ -85,11 +97,14 @@ class TrackLog {
         }
         last_row_ = snapshot.frame;
         ++frames_;
-        const bool tracked = !snapshot.tracks.empty() &&
-                             snapshot.tracks.front().estimate.state == TrackState::tracking;
-        tracked_ += tracked ? 1 : 0;
+        steered_ = snapshot.steered_target.value_or(1);
+        for (const TrackSnapshot& track : snapshot.tracks) {
+            const bool tracked = track.estimate.state == TrackState::tracking;
+            tracked_of_.at(static_cast<std::size_t>(track.id - 1)) += tracked ? 1 : 0;
+            tracked_ += tracked && track.id == steered_ ? 1 : 0;
+        }
         processing_ms_ += snapshot.processing_ms;
-        rows_ += track_table_row(snapshot);
+        rows_ += several() ? targets_table_rows(snapshot) : track_table_row(snapshot);
         if (truth_) {
             truth_->add(snapshot);
         }
@@ -103,11 +118,13 @@ class TrackLog {
 
     mutable std::mutex mutex_;
     std::condition_variable changed_;
+    std::vector<std::int64_t> tracked_of_;  // by number, from 1 on
     std::optional<TruthComparison> truth_;
     const std::int64_t end_ns_;
     std::string rows_;
     std::int64_t frames_ = 0;
-    std::int64_t tracked_ = 0;
+    std::int64_t tracked_ = 0;  // of the steered target
+    int steered_ = 1;
     std::int64_t first_row_ = -1;
     std::int64_t last_row_ = -1;
     double processing_ms_ = 0.0;
@@ -115,15 +132,59 @@ class TrackLog {
     bool over_ = false;
 };
 
-Result<Rectangle> chosen_template(const TrackOptions& options, const Sources& sources) {
-    if (options.templ != "auto") {
-        return parse_rectangle(options.templ);
+Result<Rectangle> chosen_template(const std::string& templ, const Sources& sources) {
+    if (templ != "auto") {
+        return parse_rectangle(templ);
     }
     if (!sources.world) {
         return Error{"Only a simulated rig can choose its template itself.",
                      "Give --template X,Y,W,H."};
     }
     return sources.world->suggested_template(31);
+}
+
+// A target for each template, numbered from 1 on.
+Result<std::vector<Rectangle>> chosen_templates(const TrackOptions& options,
+                                                const Sources& sources) {
+    const int count = static_cast<int>(options.templates.size());
+    if (count < 1 || count > most_targets) {
+        return Error{std::to_string(count) + " templates were given; 1 to " +
+                         std::to_string(most_targets) + " targets can be followed at once.",
+                     "Give --template once for each target."};
+    }
+    if (options.steer < 1 || options.steer > count) {
+        return Error{"There is no target " + std::to_string(options.steer) + " to steer to: " +
+                         std::to_string(count) + (count == 1 ? " was" : " were") + " given.",
+                     "Give --steer the number of one of the --template options."};
+    }
+    std::vector<Rectangle> rectangles;
+    for (const std::string& templ : options.templates) {
+        const auto rectangle = chosen_template(templ, sources);
+        if (!rectangle) {
+            return rectangle.error();
+        }
+        rectangles.push_back(*rectangle);
+    }
+    return rectangles;
+}
+
+std::vector<Command> commands_choosing(const std::vector<Rectangle>& rectangles, int steer) {
+    std::vector<Command> commands;
+    for (const Rectangle& rectangle : rectangles) {
+        const int id = static_cast<int>(commands.size()) + 1;
+        commands.emplace_back(SelectTemplate{rectangle, std::nullopt, id});
+    }
+    commands.emplace_back(SteerTo{steer});
+    return commands;
+}
+
+Result<Done> execute_all(VsystemInterface& system, const std::vector<Command>& commands) {
+    for (const Command& command : commands) {
+        if (const auto done = system.execute(command); !done) {
+            return done.error();
+        }
+    }
+    return Done{};
 }
 
 // The part of the work that has no outcome of its own yet.
@@ -148,9 +209,9 @@ Result<nlohmann::json> track(const TrackOptions& options) {
     if (!sources) {
         return sources.error();
     }
-    const auto rectangle = chosen_template(options, *sources);
-    if (!rectangle) {
-        return rectangle.error();
+    const auto rectangles = chosen_templates(options, *sources);
+    if (!rectangles) {
+        return rectangles.error();
     }
     VisionSystemOptions system_options;
     system_options.tracker.search.method = *method;
@@ -162,27 +223,27 @@ Result<nlohmann::json> track(const TrackOptions& options) {
         return opened.error();
     }
     VsystemInterface& system = **opened;
-    if (const auto done = system.execute(SelectTemplate{*rectangle, std::nullopt}); !done) {
+    if (const auto done = execute_all(system, commands_choosing(*rectangles, options.steer));
+        !done) {
         return done.error();
     }
     const SnapshotPtr first = system.latest();
     std::optional<TruthComparison> truth;
     if (sources->world) {
-        truth.emplace(sources->world,
-                      Eigen::Vector2d(rectangle->centre_x_px(), rectangle->centre_y_px()),
+        const Rectangle& steered = rectangles->at(static_cast<std::size_t>(options.steer - 1));
+        truth.emplace(sources->world, Eigen::Vector2d(steered.centre_x_px(), steered.centre_y_px()),
                       first->frame);
         if (!truth->on_target()) {
             truth.reset();
         }
     }
     const double seconds = options.seconds.value_or(1e9);
-    TrackLog log(std::move(truth), first->time_ns + static_cast<std::int64_t>(seconds * 1e9));
+    TrackLog log(rectangles->size(), std::move(truth),
+                 first->time_ns + static_cast<std::int64_t>(seconds * 1e9));
     const auto observation =
         system.observe([&log](const SnapshotPtr& snapshot) { log.add(*snapshot); });
-    for (const Command& command : {Command(StartTracking{}), Command(Flow{Flow::Kind::run})}) {
-        if (const auto done = system.execute(command); !done) {
-            return done.error();
-        }
+    if (const auto done = execute_all(system, {StartTracking{}, Flow{Flow::Kind::run}}); !done) {
+        return done.error();
     }
     {
         ProgressLine progress;
@@ -213,6 +274,12 @@ std::string summary_of(const nlohmann::json& report, const TrackOptions& options
                       truth["range_error_mean_pct"].get<double>(),
                       truth["range_error_worst_pct"].get<double>(),
                       head_sentence(truth["head_within_1_deg_fraction"].get<double>()).c_str());
+        text += line;
+    }
+    for (const auto& target : report.value("targets", nlohmann::json::array())) {
+        std::snprintf(line, sizeof line, "Target %d: %.1f %% tracked.\n",
+                      target["target"].get<int>(),
+                      100.0 * target["tracked_fraction"].get<double>());
         text += line;
     }
     if (options.csv) {

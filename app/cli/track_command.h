@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/outcome.h"
 #include "app/sources/sources.h"
@@ -13,7 +14,9 @@ namespace kambara::cli {
 
 struct TrackOptions {
     SourceOptions sources;
-    std::string templ;  ///< X,Y,W,H in the first frame; `auto` with sim:
+    /// X,Y,W,H in the first frame, a target each; `auto` with sim:
+    std::vector<std::string> templates;
+    int steer = 1;  ///< the number of the target that the head is steered to
     std::string measure = "zncc";
     std::string transform = "none";
     std::string temporal;  ///< median:N or mean:N; empty: the pictures as they are
@@ -22,9 +25,10 @@ struct TrackOptions {
     std::optional<double> seconds;  ///< stop after so much of the source's time
 };
 
-/// Follows a target through stereo pictures. The table is written when the source has come to its
+/// Follows targets through stereo pictures. The table is written when the source has come to its
 /// end, whole or not at all. JSON: frames, tracked_frames, tracked_fraction, rate_hz, first and
-/// last frame; with a simulated source also `truth`.
+/// last frame, of the steered target; with several also what was tracked of each; with a simulated
+/// source also `truth`.
 Outcome run_track(const TrackOptions& options);
 
 }  // namespace kambara::cli

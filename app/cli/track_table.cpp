@@ -34,16 +34,11 @@ std::string quoted(const std::string& text) {
     return result + "\"";
 }
 
-}  // namespace
+constexpr const char* columns =
+    "frame,time_s,state,left_x_px,left_y_px,right_x_px,right_y_px,quality,x_mm,y_mm,z_mm,"
+    "sigma_x_mm,sigma_y_mm,sigma_z_mm,pan_deg,tilt_deg,reason";
 
-std::string track_table_header() {
-    return "frame,time_s,state,left_x_px,left_y_px,right_x_px,right_y_px,quality,x_mm,y_mm,z_mm,"
-           "sigma_x_mm,sigma_y_mm,sigma_z_mm,pan_deg,tilt_deg,reason\n";
-}
-
-std::string track_table_row(const Snapshot& snapshot) {
-    const TrackEstimate estimate =
-        snapshot.tracks.empty() ? TrackEstimate{} : snapshot.tracks.front().estimate;
+std::string row_of(const Snapshot& snapshot, const TrackEstimate& estimate) {
     std::string row = std::to_string(snapshot.frame) + "," +
                       number(static_cast<double>(snapshot.time_ns) * 1e-9, "%.6f") + "," +
                       to_string(estimate.state) + "," + pair(estimate.left_px) + "," +
@@ -63,7 +58,29 @@ std::string track_table_row(const Snapshot& snapshot) {
     } else {
         row += ",,";
     }
-    return row + quoted(estimate.reason) + "\n";
+    return row + quoted(estimate.reason);
+}
+
+}  // namespace
+
+std::string track_table_header() {
+    return std::string(columns) + "\n";
+}
+
+std::string track_table_row(const Snapshot& snapshot) {
+    return row_of(snapshot, steered_estimate(snapshot)) + "\n";
+}
+
+std::string targets_table_header() {
+    return std::string(columns) + ",target\n";
+}
+
+std::string targets_table_rows(const Snapshot& snapshot) {
+    std::string rows;
+    for (const TrackSnapshot& track : snapshot.tracks) {
+        rows += row_of(snapshot, track.estimate) + "," + std::to_string(track.id) + "\n";
+    }
+    return rows;
 }
 
 }  // namespace kambara::cli

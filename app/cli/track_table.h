@@ -11,6 +11,10 @@ namespace kambara::cli {
 /// the left camera's frame, of the point that was the template's centre; what is not known is left
 /// empty.
 std::string track_table_header();
-std::string track_table_row(const Snapshot& snapshot);
+std::string track_table_row(const Snapshot& snapshot);  ///< of the steered target
+
+/// Likewise with several targets: a row for each, with its number in one more column.
+std::string targets_table_header();
+std::string targets_table_rows(const Snapshot& snapshot);
 
 }  // namespace kambara::cli

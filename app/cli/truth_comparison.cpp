@@ -44,8 +44,7 @@ TruthSample TruthComparison::add(const Snapshot& snapshot) {
     const bool again = snapshot.frame == last_frame_;
     last_frame_ = snapshot.frame;
     frames_ += again ? 0 : 1;
-    const TrackEstimate estimate =
-        snapshot.tracks.empty() ? TrackEstimate{} : snapshot.tracks.front().estimate;
+    const TrackEstimate estimate = steered_estimate(snapshot);
     if (estimate.position) {
         const Eigen::Vector3d& measured = estimate.position->point_in_left_mm;
         sample.range_error_pct = 100.0 * (measured.norm() / sample.point_in_left_mm.norm() - 1.0);

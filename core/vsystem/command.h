@@ -16,27 +16,46 @@ namespace kambara {
 /// What can be asked of the vision system: the primitives of 1999 (SYS-1) as plain values, so that
 /// they can come over a network as well.
 
+/// Up to so many targets are followed at once; they have the numbers from 1 on.
+inline constexpr int most_targets = 16;
+
 /// Cuts a template from the left picture. When tracking starts on one cut from an earlier pair, the
 /// pairs since then are followed first. `frame` names the pair in which the operator saw the
-/// target; it must be among those still remembered. Without it, the latest pair.
+/// target; it must be among those still remembered. Without it, the latest pair. A `target` that
+/// there is not yet is added; without one, the template is the steered target's (number 1 where
+/// there is none yet).
 struct SelectTemplate {
     Rectangle rectangle;
     std::optional<std::int64_t> frame;
+    std::optional<int> target = std::nullopt;
     bool operator==(const SelectTemplate&) const = default;
 };
+/// Without a `target`: all of them.
 struct StartTracking {
+    std::optional<int> target = std::nullopt;
     bool operator==(const StartTracking&) const = default;
 };
+/// Likewise.
 struct StopTracking {
+    std::optional<int> target = std::nullopt;
     bool operator==(const StopTracking&) const = default;
 };
-/// Makes what is tracked now the new template.
+/// Makes what is tracked now the new template; without a `target`, the steered one's.
 struct UpdateTemplate {
+    std::optional<int> target = std::nullopt;
     bool operator==(const UpdateTemplate&) const = default;
 };
-/// Forgets the template.
+/// Forgets a target, or all of them. When it was the steered one, the one of lowest number that
+/// remains is steered to.
 struct ClearTemplate {
+    std::optional<int> target = std::nullopt;
     bool operator==(const ClearTemplate&) const = default;
+};
+/// That target is the one from now on that the head is steered to. The first one chosen is until
+/// then.
+struct SteerTo {
+    int target = 1;
+    bool operator==(const SteerTo&) const = default;
 };
 /// Turns the head by hand: from then on it is no longer steered, until SteerHead says so.
 struct MoveHead {
@@ -82,9 +101,9 @@ struct HoldFrame {
     bool operator==(const HoldFrame&) const = default;
 };
 
-using Command =
-    std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate, ClearTemplate,
-                 MoveHead, HaltHead, SteerHead, CaptureView, Calibrate, Flow, Seek, HoldFrame>;
+using Command = std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate,
+                             ClearTemplate, SteerTo, MoveHead, HaltHead, SteerHead, CaptureView,
+                             Calibrate, Flow, Seek, HoldFrame>;
 
 /// What a calibration came to.
 struct CalibrationOutcome {

@@ -53,6 +53,19 @@ T get(const Json& object, const char* key) {
     return value.get<T>();
 }
 
+/// Empty where the key is missing.
+template <class T>
+std::optional<T> get_optional(const Json& object, const char* key) {
+    return object.contains(key) ? std::optional<T>(get<T>(object, key)) : std::nullopt;
+}
+
+template <class T>
+void put_optional(Json& object, const char* key, const std::optional<T>& value) {
+    if (value) {
+        object[key] = *value;
+    }
+}
+
 template <int Rows>
 Json from_vector(const Eigen::Matrix<double, Rows, 1>& v) {
     Json list = Json::array();

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "core/pointing/aim.h"
@@ -13,7 +15,6 @@ namespace {
 constexpr std::size_t pairs_remembered = 30;
 constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr double shortest_rate_span_s = 0.2;  // less says nothing about a rate
-constexpr int only_track_id = 1;
 
 // In grey, and filtered over time where that is asked for.
 Frame prepared(Frame frame, std::optional<TemporalFilter>& filter) {
@@ -33,7 +34,7 @@ Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSys
       clock_(clock),
       publish_(std::move(publish)),
       announce_(std::move(announce)),
-      tracker_(rig_, options.tracker),
+      targets_(rig_, options.tracker, options.threads),
       head_(head ? std::make_unique<HeadWorker>(head, options.every_frame
                                                           ? HeadWorker::Threading::inline_calls
                                                           : HeadWorker::Threading::own_thread)
@@ -57,8 +58,13 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     if (remembered_.size() > pairs_remembered) {
         remembered_.pop_front();
     }
-    track(remembered_.back(), tracker_.estimate().state);
+    const TargetStates before = targets_.states();
+    const std::int64_t started_ns = clock_.now_ns();
+    targets_.process(remembered_.back());
+    steer();
     const std::int64_t now_ns = clock_.now_ns();
+    processing_ms_ = static_cast<double>(now_ns - started_ns) * 1e-6;
+    note_changes(before);
     handled_ns_.push_back(now_ns);
     while (now_ns - handled_ns_.front() > second_ns) {
         handled_ns_.pop_front();
@@ -68,24 +74,31 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     publish();
 }
 
-void Pipeline::track(const StereoFrame& frame, TrackState before) {
-    const std::int64_t started_ns = clock_.now_ns();
-    const TrackEstimate estimate = tracker_.process(frame);
-    const bool followed = tracker_.started();
-    steer(followed ? estimate.position : std::nullopt);
-    processing_ms_ = static_cast<double>(clock_.now_ns() - started_ns) * 1e-6;
-    note_state_change(before);
-}
-
-void Pipeline::note_state_change(TrackState before) {
-    const TrackEstimate& estimate = tracker_.estimate();
-    if (estimate.state == before) {
-        return;
+void Pipeline::note_changes(const TargetStates& before) {
+    const TargetStates after = targets_.states();
+    std::map<int, TrackState> all = before.of;
+    all.insert(after.of.begin(), after.of.end());
+    const auto state_in = [](const TargetStates& states, int id) {
+        const auto found = states.of.find(id);
+        return found == states.of.end() ? TrackState::idle : found->second;
+    };
+    for (const auto& [id, any] : all) {
+        const TrackState was = state_in(before, id);
+        const TrackState is = state_in(after, id);
+        if (was == is) {
+            continue;
+        }
+        const FollowedTarget* target = targets_.find(id);
+        const std::string reason = target != nullptr ? target->tracker.estimate().reason : "";
+        const bool worse = is == TrackState::doubtful || is == TrackState::lost;
+        announce(worse ? Event::Kind::warning : Event::Kind::note,
+                 (all.size() > 1 ? "Target " + std::to_string(id) + ": " : "") + to_string(was) +
+                     " -> " + to_string(is) + (reason.empty() ? "" : ": " + reason));
     }
-    const bool worse = estimate.state == TrackState::doubtful || estimate.state == TrackState::lost;
-    announce(worse ? Event::Kind::warning : Event::Kind::note,
-             to_string(before) + " -> " + to_string(estimate.state) +
-                 (estimate.reason.empty() ? "" : ": " + estimate.reason));
+    if (before.steered && after.steered && before.steered != after.steered) {
+        announce(Event::Kind::note,
+                 "The head is steered to target " + std::to_string(*after.steered) + " now.");
+    }
 }
 
 void Pipeline::announce(Event::Kind kind, std::string text) {
@@ -115,12 +128,13 @@ void Pipeline::publish() {
     snapshot->time_ns = images_.stereo.left.time_ns;
     snapshot->run = run_;
     snapshot->failure = failure_;
-    if (tracker_.estimate().state != TrackState::idle) {
-        snapshot->tracks.push_back({only_track_id, tracker_.estimate()});
-        if (tracker_.estimate().frame != snapshot->frame || silent_) {
+    for (const FollowedTarget& target : targets_.all()) {
+        snapshot->tracks.push_back({target.id, target.tracker.estimate()});
+        if (target.tracker.estimate().frame != snapshot->frame || silent_) {
             snapshot->tracks.back().estimate.forget_place();
         }
     }
+    snapshot->steered_target = targets_.states().steered;
     if (head_) {
         const auto reading = head_->reading();
         snapshot->head =
@@ -159,38 +173,28 @@ Result<Reply> Pipeline::select(const SelectTemplate& command) {
         return Error{"Frame " + std::to_string(wanted) + " is no longer remembered.",
                      "Choose the template in a newer picture."};
     }
-    const TrackState before = tracker_.estimate().state;
-    if (const auto chosen = tracker_.set_template(*seen, command.rectangle); !chosen) {
-        return chosen.error();
-    }
-    template_frame_ = wanted;
-    note_state_change(before);
-    publish();
-    return Reply(Done{});
+    const TargetStates before = targets_.states();
+    return finish(targets_.set_template(command.target, *seen, command.rectangle), before);
 }
 
-Result<Reply> Pipeline::start() {
+Result<Reply> Pipeline::start(const StartTracking& command) {
     if (remembered_.empty()) {
         return Error{"There is no picture to start from.", "Wait for the next one."};
     }
-    const TrackState before = tracker_.estimate().state;
-    if (const auto started = tracker_.start(); !started) {
-        return started.error();
+    const TargetStates before = targets_.states();
+    const auto started = targets_.start(command.target, remembered_);
+    if (started) {
+        steer();
     }
-    // From the pair in which the template was chosen to the one at hand, as far as they are still
-    // remembered: the target has moved on while the operator looked.
-    const std::int64_t since = template_frame_.value_or(images_.stereo.left.index);
-    const bool gapless = !remembered_.empty() && remembered_.front().left.index <= since + 1;
-    if (template_frame_ && !gapless) {
-        tracker_.forget_motion();  // it may be anywhere by now
+    return finish(started, before);
+}
+
+// How a command to the targets went: what it changed is told and shown.
+Result<Reply> Pipeline::finish(const Result<Done>& done, const TargetStates& before) {
+    if (!done) {
+        return done.error();
     }
-    for (const StereoFrame& pair : remembered_) {
-        if (gapless && pair.left.index > since && pair.left.index < images_.stereo.left.index) {
-            tracker_.process(pair);
-        }
-    }
-    template_frame_.reset();
-    track(remembered_.back(), before);
+    note_changes(before);
     publish();
     return Reply(Done{});
 }
@@ -215,9 +219,8 @@ Result<Reply> Pipeline::hold(const HoldFrame& command) {
 }
 
 void Pipeline::wound() {
-    const TrackState before = tracker_.estimate().state;
-    tracker_.stop();
-    tracker_.forget_motion();
+    const TargetStates before = targets_.states();
+    targets_.wound();
     remembered_.clear();
     for (auto* filter : {&left_filter_, &right_filter_}) {
         if (*filter) {
@@ -225,36 +228,50 @@ void Pipeline::wound() {
         }
     }
     handled_ns_.clear();
-    template_frame_.reset();
-    note_state_change(before);
+    note_changes(before);
 }
 
-Result<Reply> Pipeline::stop() {
-    const TrackState before = tracker_.estimate().state;
-    tracker_.stop();
-    note_state_change(before);
-    publish();
-    return Reply(Done{});
+Result<Reply> Pipeline::stop(const StopTracking& command) {
+    const TargetStates before = targets_.states();
+    return finish(targets_.stop(command.target), before);
 }
 
-Result<Reply> Pipeline::update_template() {
-    if (const auto updated = tracker_.update_template(); !updated) {
+Result<Reply> Pipeline::update_template(const UpdateTemplate& command) {
+    if (const auto updated = targets_.update_template(command.target); !updated) {
         return updated.error();
     }
-    announce(Event::Kind::note, "The template was updated by command.");
+    const TargetStates states = targets_.states();
+    const int id = command.target.value_or(states.steered.value_or(1));
+    announce(Event::Kind::note,
+             (states.of.size() > 1 ? "Target " + std::to_string(id) + ": " : "") +
+                 std::string("The template was updated by command."));
     publish();
     return Reply(Done{});
 }
 
-Result<Reply> Pipeline::clear() {
-    const TrackState before = tracker_.estimate().state;
-    tracker_.clear();
-    note_state_change(before);
-    publish();
-    return Reply(Done{});
+Result<Reply> Pipeline::clear(const ClearTemplate& command) {
+    const TargetStates before = targets_.states();
+    return finish(targets_.clear(command.target), before);
 }
 
-void Pipeline::steer(const std::optional<Position>& position) {
+Result<Reply> Pipeline::steer_to(const SteerTo& command) {
+    const TargetStates before = targets_.states();
+    const auto done = targets_.steer_to(command.target);
+    if (done) {
+        steer();
+    }
+    return finish(done, before);
+}
+
+std::optional<Position> Pipeline::position_to_steer_to() const {
+    const FollowedTarget* target = targets_.steered();
+    const bool seen_now = target != nullptr && target->tracker.started() && !silent_ &&
+                          target->tracker.estimate().frame == images_.stereo.left.index;
+    return seen_now ? target->tracker.estimate().position : std::nullopt;
+}
+
+void Pipeline::steer() {
+    const auto position = position_to_steer_to();
     if (!position || !rig_.pan_tilt) {
         steering_.nothing_wanted();
     }
@@ -316,7 +333,7 @@ Result<Reply> Pipeline::steer_head(const SteerHead& command) {
 
 void Pipeline::use_rig(const Rig& rig) {
     rig_ = rig;
-    tracker_ = StereoTracker(rig_, options_.tracker);
+    targets_.use_rig(rig_);
     announce(Event::Kind::note, "A new calibration is in use. Choose the template again.");
     publish();
 }

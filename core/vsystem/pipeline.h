@@ -11,6 +11,7 @@
 
 #include "core/base/clock.h"
 #include "core/vsystem/head_worker.h"
+#include "core/vsystem/target_set.h"
 #include "core/vsystem/vision_system.h"
 
 namespace kambara {
@@ -29,10 +30,11 @@ class Pipeline {
     void process(ImageSet images, std::uint64_t frames_lost);
 
     Result<Reply> select(const SelectTemplate& command);
-    Result<Reply> start();
-    Result<Reply> stop();
-    Result<Reply> update_template();
-    Result<Reply> clear();
+    Result<Reply> start(const StartTracking& command);
+    Result<Reply> stop(const StopTracking& command);
+    Result<Reply> update_template(const UpdateTemplate& command);
+    Result<Reply> clear(const ClearTemplate& command);
+    Result<Reply> steer_to(const SteerTo& command);
     Result<Reply> move_head(const MoveHead& command);
     Result<Reply> halt_head();
     Result<Reply> hold(const HoldFrame& command);
@@ -51,12 +53,13 @@ class Pipeline {
     const ImageSet& images() const { return images_; }
 
   private:
-    void track(const StereoFrame& frame, TrackState before);
     const StereoFrame* remembered(std::int64_t frame) const;
-    void steer(const std::optional<Position>& position);
+    std::optional<Position> position_to_steer_to() const;
+    void steer();
     void publish();
     void announce(Event::Kind kind, std::string text);
-    void note_state_change(TrackState before);
+    void note_changes(const TargetStates& before);
+    Result<Reply> finish(const Result<Done>& done, const TargetStates& before);
     double rate_hz() const;
 
     Rig rig_;
@@ -64,7 +67,7 @@ class Pipeline {
     const Clock& clock_;
     Publish publish_;
     Announce announce_;
-    StereoTracker tracker_;
+    TargetSet targets_;
     std::unique_ptr<HeadWorker> head_;
     Steering steering_;
     std::optional<HeadAngles> commanded_;
@@ -73,7 +76,6 @@ class Pipeline {
     std::optional<TemporalFilter> right_filter_;
     std::deque<StereoFrame> remembered_;  // as they are searched, newest last
     std::optional<StereoFrame> held_;     // likewise, for as long as the operator looks at it
-    std::optional<std::int64_t> template_frame_;
     std::int64_t frames_total_ = -1;
     bool silent_ = false;
     std::deque<std::int64_t> handled_ns_;

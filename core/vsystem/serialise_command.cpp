@@ -13,22 +13,29 @@ Json fields_of(const SelectTemplate& c) {
     Json json{
         {"command", "select_template"},
         {"rectangle_px", {c.rectangle.x, c.rectangle.y, c.rectangle.width, c.rectangle.height}}};
-    if (c.frame) {
-        json["frame"] = *c.frame;
-    }
+    put_optional(json, "frame", c.frame);
+    put_optional(json, "target", c.target);
     return json;
 }
-Json fields_of(const StartTracking&) {
-    return {{"command", "start_tracking"}};
+Json of_target(const char* command, const std::optional<int>& target) {
+    Json json{{"command", command}};
+    put_optional(json, "target", target);
+    return json;
 }
-Json fields_of(const StopTracking&) {
-    return {{"command", "stop_tracking"}};
+Json fields_of(const StartTracking& c) {
+    return of_target("start_tracking", c.target);
 }
-Json fields_of(const UpdateTemplate&) {
-    return {{"command", "update_template"}};
+Json fields_of(const StopTracking& c) {
+    return of_target("stop_tracking", c.target);
 }
-Json fields_of(const ClearTemplate&) {
-    return {{"command", "clear_template"}};
+Json fields_of(const UpdateTemplate& c) {
+    return of_target("update_template", c.target);
+}
+Json fields_of(const ClearTemplate& c) {
+    return of_target("clear_template", c.target);
+}
+Json fields_of(const SteerTo& c) {
+    return of_target("steer_to", c.target);
 }
 Json fields_of(const MoveHead& c) {
     return {
@@ -86,23 +93,23 @@ Flow read_flow(const Json& json) {
 Command read_command(const Json& json) {
     const auto name = get<std::string>(json, "command");
     if (name == "select_template") {
-        SelectTemplate c{read_rectangle(json), std::nullopt};
-        if (json.contains("frame")) {
-            c.frame = get<std::int64_t>(json, "frame");
-        }
-        return c;
+        return SelectTemplate{read_rectangle(json), get_optional<std::int64_t>(json, "frame"),
+                              get_optional<int>(json, "target")};
     }
     if (name == "start_tracking") {
-        return StartTracking{};
+        return StartTracking{get_optional<int>(json, "target")};
     }
     if (name == "stop_tracking") {
-        return StopTracking{};
+        return StopTracking{get_optional<int>(json, "target")};
     }
     if (name == "update_template") {
-        return UpdateTemplate{};
+        return UpdateTemplate{get_optional<int>(json, "target")};
     }
     if (name == "clear_template") {
-        return ClearTemplate{};
+        return ClearTemplate{get_optional<int>(json, "target")};
+    }
+    if (name == "steer_to") {
+        return SteerTo{get<int>(json, "target")};
     }
     if (name == "move_head") {
         return MoveHead{{get<double>(json, "pan_rad"), get<double>(json, "tilt_rad")}};

@@ -134,6 +134,7 @@ Snapshot read_snapshot(const Json& json) {
     for (const Json& track : tracks) {
         snapshot.tracks.push_back(read_track(track));
     }
+    snapshot.steered_target = get_optional<int>(json, "steered_target");
     if (json.contains("head")) {
         snapshot.head = read_head(json.at("head"));
     }
@@ -161,6 +162,7 @@ std::string to_json(const Snapshot& snapshot) {
               {"latency_ms", snapshot.latency_ms},
               {"frames_lost", snapshot.frames_lost},
               {"frames_total", snapshot.frames_total}};
+    put_optional(json, "steered_target", snapshot.steered_target);
     if (snapshot.failure) {
         json["failure"] = {{"cause", snapshot.failure->cause},
                            {"remedy", snapshot.failure->remedy}};

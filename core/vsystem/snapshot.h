@@ -47,8 +47,9 @@ struct Snapshot {
     std::int64_t frame = -1;   ///< number of the pair, counted from the source's first
     std::int64_t time_ns = 0;  ///< when the left picture was exposed, on the source's clock
     RunState run = RunState::paused;
-    std::optional<Error> failure;  ///< why it failed, when it did
-    std::vector<TrackSnapshot> tracks;
+    std::optional<Error> failure;       ///< why it failed, when it did
+    std::vector<TrackSnapshot> tracks;  ///< by ascending id
+    std::optional<int> steered_target;  ///< the one that the head is steered to; empty without any
     std::optional<HeadSnapshot> head;
     double rate_hz = 0.0;            ///< pairs handled in a second, over the last one
     double processing_ms = 0.0;      ///< time spent on this pair
@@ -57,6 +58,11 @@ struct Snapshot {
     std::uint64_t frames_lost = 0;  ///< that came while the pipeline was busy, or without a partner
     ImageSet pictures;
 };
+
+/// The target that the head is steered to; null where there is none.
+const TrackSnapshot* steered_track(const Snapshot& snapshot);
+/// What is known of it; Idle where there is none.
+TrackEstimate steered_estimate(const Snapshot& snapshot);
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 

@@ -226,12 +226,13 @@ class VisionSystem final : public VsystemInterface {
         struct Visitor {
             VisionSystem& self;
             Result<Reply> operator()(const SelectTemplate& c) { return self.pipeline_.select(c); }
-            Result<Reply> operator()(const StartTracking&) { return self.pipeline_.start(); }
-            Result<Reply> operator()(const StopTracking&) { return self.pipeline_.stop(); }
-            Result<Reply> operator()(const UpdateTemplate&) {
-                return self.pipeline_.update_template();
+            Result<Reply> operator()(const StartTracking& c) { return self.pipeline_.start(c); }
+            Result<Reply> operator()(const StopTracking& c) { return self.pipeline_.stop(c); }
+            Result<Reply> operator()(const UpdateTemplate& c) {
+                return self.pipeline_.update_template(c);
             }
-            Result<Reply> operator()(const ClearTemplate&) { return self.pipeline_.clear(); }
+            Result<Reply> operator()(const ClearTemplate& c) { return self.pipeline_.clear(c); }
+            Result<Reply> operator()(const SteerTo& c) { return self.pipeline_.steer_to(c); }
             Result<Reply> operator()(const MoveHead& c) { return self.pipeline_.move_head(c); }
             Result<Reply> operator()(const HaltHead&) { return self.pipeline_.halt_head(); }
             Result<Reply> operator()(const Seek& c) { return self.seek(c); }

@@ -27,6 +27,9 @@ struct VisionSystemOptions {
     /// Both pictures are filtered over time before the target is looked for in them; for cameras
     /// and targets that stand still.
     std::optional<TemporalOptions> temporal;
+    /// Threads that several targets are shared out among; 0 for as many as the machine has cores.
+    /// Their results are the same with any number.
+    int threads = 0;
     /// Every frame is handled, in step with the grabbers (recordings, simulations that may run
     /// faster than life). Otherwise the cameras are live, have threads of their own, and the newest
     /// pair wins.

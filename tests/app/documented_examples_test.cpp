@@ -76,6 +76,7 @@ TEST(DocumentedExamples, TargetsAndProfilesAreUnderstood) {
 TEST(DocumentedExamples, TheTrackTableHasTheHeaderThatIsWritten) {
     const auto lines = lines_of(example("track"));
     EXPECT_EQ(lines.front() + "\n", cli::track_table_header());
+    EXPECT_EQ(lines_of(example("targets")).front() + "\n", cli::targets_table_header());
     const std::string row = cli::track_table_row(Snapshot{});
     for (const std::string& line : {lines[1], row}) {
         EXPECT_EQ(std::count(line.begin(), line.end(), ','), 16) << line;
@@ -127,6 +128,7 @@ TEST(DocumentedExamples, LinkMessagesAreRead) {
     }
     const auto snapshot = snapshot_from_json(example("snapshot"));
     ASSERT_TRUE(snapshot) << snapshot.error().text();
+    ASSERT_TRUE(steered_track(*snapshot));
     EXPECT_EQ(snapshot->tracks.at(0).estimate.state, TrackState::tracking);
     EXPECT_TRUE(event_from_json(example("events")));
 }

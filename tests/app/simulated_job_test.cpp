@@ -2,6 +2,7 @@
 // The main job on the simulated rig, end to end, against its truth.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -23,7 +24,7 @@ class SimulatedJobTest : public testing::TestWithParam<int> {};
 TEST_P(SimulatedJobTest, IsTrackedMeasuredAndPointedAt) {
     TrackOptions options;
     options.sources.left = "sim:default?seed=" + std::to_string(GetParam());
-    options.templ = "auto";
+    options.templates = {"auto"};
     options.seconds = 60.0;
     const Outcome outcome = run_track(options);
     ASSERT_FALSE(outcome.failure) << outcome.failure->text();
@@ -45,7 +46,7 @@ TEST(SimulatedJob, GivesTheSameTableEveryTime) {
     for (const char* name : {"a.csv", "b.csv"}) {
         TrackOptions options;
         options.sources.left = "sim:default?seed=7&frames=45";
-        options.templ = "auto";
+        options.templates = {"auto"};
         options.csv = folder / name;
         ASSERT_FALSE(run_track(options).failure);
     }
@@ -55,13 +56,63 @@ TEST(SimulatedJob, GivesTheSameTableEveryTime) {
     std::filesystem::remove_all(folder);
 }
 
+// The moving target and a piece of the seabed: the one's rows are those of a run without the other,
+// and the head looks at the one asked for.
+TEST(SimulatedJob, FollowsTwoTargetsAndSteersToTheSecond) {
+    const auto folder = testing_support::fresh_folder("two_targets");
+    TrackOptions options;
+    options.sources.left = "sim:default?seed=7&frames=45";
+    options.templates = {"auto"};
+    options.csv = folder / "one.csv";
+    ASSERT_FALSE(run_track(options).failure);
+    options.templates = {"auto", "100,350,31,31"};
+    options.steer = 2;
+    options.csv = folder / "two.csv";
+    const Outcome outcome = run_track(options);
+    ASSERT_FALSE(outcome.failure) << outcome.failure->text();
+    const auto report = nlohmann::json::parse(outcome.json);
+    EXPECT_EQ(report["steered_target"], 2);
+    ASSERT_EQ(report["targets"].size(), 2U);
+    EXPECT_EQ(report["targets"][0]["tracked_frames"], 45);
+    EXPECT_GE(report["targets"][1]["tracked_frames"], 43);
+    EXPECT_EQ(report["tracked_frames"], report["targets"][1]["tracked_frames"]);
+    const auto alone = testing_support::rows_of_csv(folder / "one.csv");
+    const auto both = testing_support::rows_of_csv(folder / "two.csv");
+    ASSERT_EQ(both.size(), 2 * alone.size());
+    const std::size_t pan_column = 14;
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        const auto& first = both[2 * i];
+        EXPECT_EQ(first.back(), "1");
+        EXPECT_EQ(both[2 * i + 1].back(), "2");
+        EXPECT_TRUE(std::equal(first.begin(), first.begin() + pan_column, alone[i].begin()));
+    }
+    EXPECT_GT(std::stod(alone.back()[pan_column]), 0.0);  // the one is to the right,
+    EXPECT_LT(std::stod(both.back()[pan_column]), 0.0);   // the other to the left
+    std::filesystem::remove_all(folder);
+}
+
+TEST(SimulatedJob, RefusesToSteerToATargetThatThereIsNot) {
+    TrackOptions options;
+    options.sources.left = "sim:default?frames=3";
+    options.templates = {"auto", "auto"};
+    for (const int steer : {0, 3}) {
+        options.steer = steer;
+        const Outcome outcome = run_track(options);
+        ASSERT_TRUE(outcome.failure);
+        EXPECT_NE(outcome.failure->cause.find("to steer to"), std::string::npos);
+    }
+    options.steer = 1;
+    options.templates.assign(17, "auto");
+    ASSERT_TRUE(run_track(options).failure);
+}
+
 TEST(SimulatedJob, BeginsAtALaterFrameAndKeepsItsNumber) {
     const auto folder = testing_support::fresh_folder("later_frame");
     const SimulatedWorld world(*simulated_profile("default"));
     TrackOptions options;
     options.sources.left = "sim:default?frames=30";
     options.sources.start = 20;
-    options.templ = to_string(world.suggested_template(31, 20));
+    options.templates = {to_string(world.suggested_template(31, 20))};
     options.csv = folder / "t.csv";
     ASSERT_FALSE(run_track(options).failure);
     const auto rows = testing_support::rows_of_csv(folder / "t.csv");

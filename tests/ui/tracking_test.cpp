@@ -65,6 +65,46 @@ TEST(TrackingInTheWindow, WithTheKeyboardAlone) {
     expect_target_on_show(page);
 }
 
+// The moving target and a piece of the seabed.
+TEST(TrackingInTheWindow, CtrlAddsASecondTargetAndSteersToIt) {
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    page.drag(page.target());
+    ASSERT_TRUE(page.until_state(TrackState::tracking));
+    ASSERT_TRUE(page.until([&] { return page.text("steeredTarget") == "number 1"; }));
+    page.drag({100, 350, 31, 31}, Qt::ControlModifier);
+    ASSERT_TRUE(page.until([&] { return page.shown().tracks.size() == 2; }));
+    EXPECT_EQ(page.shown().tracks[1].id, 2);
+    EXPECT_EQ(page.shown().steered_target, 1);
+    ASSERT_TRUE(page.until([&] { return page.shown().tracks[1].estimate.left_px.has_value(); }));
+
+    page.click({12.0, 12.0}, Qt::ControlModifier);  // on no target: nothing is asked for
+    page.click(*page.shown().tracks[1].estimate.left_px, Qt::ControlModifier);
+    ASSERT_TRUE(page.until([&] { return page.shown().steered_target == 2; }));
+    EXPECT_TRUE(page.until([&] { return page.text("steeredTarget") == "number 2, one of 2"; }));
+    EXPECT_EQ(page.events().last_text(), "The head is steered to target 2 now.");
+    ASSERT_TRUE(page.until_state(TrackState::tracking));
+    // The seabed's piece is to the left of where the head is mounted.
+    EXPECT_TRUE(page.until([&] { return page.shown().head->angles.pan_rad < -0.2; }));
+
+    page.key(Qt::Key_Delete);
+    EXPECT_TRUE(page.until([&] { return page.shown().tracks.empty(); }));
+    EXPECT_TRUE(page.until([&] { return page.text("trackState") == "Idle"; }));
+}
+
+TEST(TrackingInTheWindow, CtrlEnterTakesTheRectangleForOneMoreTarget) {
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    page.drag(page.target());
+    ASSERT_TRUE(page.until_state(TrackState::tracking));
+    page.key(Qt::Key_T);
+    ASSERT_TRUE(page.left().selecting());
+    page.key(Qt::Key_Down, Qt::NoModifier, 15);
+    page.key(Qt::Key_Return, Qt::ControlModifier);
+    EXPECT_TRUE(page.until([&] { return page.shown().tracks.size() == 2; }));
+    EXPECT_EQ(page.shown().steered_target, 1);
+}
+
 TEST(TrackingInTheWindow, EscapeStopsAndStartGoesOn) {
     WindowPage page(WindowPage::simulated(false));
     ASSERT_TRUE(page.until_picture());

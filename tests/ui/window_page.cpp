@@ -38,10 +38,8 @@ bool WindowPage::until_picture() {
 }
 
 bool WindowPage::until_state(TrackState state) {
-    return until([this, state] {
-        return left().shown() && !shown().tracks.empty() &&
-               shown().tracks.front().estimate.state == state;
-    });
+    return until(
+        [this, state] { return left().shown() && steered_estimate(shown()).state == state; });
 }
 
 QAction& WindowPage::action(const char* object_name) {
@@ -73,18 +71,23 @@ void WindowPage::key(Qt::Key key, Qt::KeyboardModifiers modifiers, int times) {
     }
 }
 
-void WindowPage::drag(const Rectangle& rectangle) {
+void WindowPage::click(const Eigen::Vector2d& left_px, Qt::KeyboardModifiers modifiers) {
+    const QPointF place = left().view().widget_from_pixel({left_px.x(), left_px.y()});
+    QTest::mouseClick(&left(), Qt::LeftButton, modifiers, place.toPoint());
+}
+
+void WindowPage::drag(const Rectangle& rectangle, Qt::KeyboardModifiers modifiers) {
     ui::VideoView& view = left();
     const auto place = [&](double x, double y) {
         return view.view().widget_from_pixel({x, y}).toPoint();
     };
     const QPoint from = place(rectangle.x, rectangle.y);
     const QPoint to = place(rectangle.x + rectangle.width - 1, rectangle.y + rectangle.height - 1);
-    QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, from);
+    QTest::mousePress(&view, Qt::LeftButton, modifiers, from);
     QMouseEvent move(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                     Qt::NoModifier);
+                     modifiers);
     QApplication::sendEvent(&view, &move);
-    QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, to);
+    QTest::mouseRelease(&view, Qt::LeftButton, modifiers, to);
 }
 
 Rectangle WindowPage::target() const {

@@ -45,7 +45,9 @@ class WindowPage {
 
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier, int times = 1);
     /// A left drag from corner to corner of a rectangle of the left picture.
-    void drag(const Rectangle& rectangle);
+    void drag(const Rectangle& rectangle, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+    /// A left click on a pixel of the left picture.
+    void click(const Eigen::Vector2d& left_px, Qt::KeyboardModifiers modifiers);
     /// The target's rectangle in the left picture that is on show.
     Rectangle target() const;
 

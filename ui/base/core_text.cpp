@@ -25,6 +25,7 @@ const char* const phrases[] = {
     QT_TRANSLATE_NOOP("core", "not found in the right picture"),
     QT_TRANSLATE_NOOP("core", "the right picture holds another place that looks the same"),
     QT_TRANSLATE_NOOP("core", "its distance would have leapt from %1 to %2 m"),
+    QT_TRANSLATE_NOOP("core", "Target %1: %2"),
     QT_TRANSLATE_NOOP("core", "%1 -> %2: %3"),
     QT_TRANSLATE_NOOP("core", "%1 -> %2"),
     QT_TRANSLATE_NOOP("core", "Idle"),
@@ -35,6 +36,11 @@ const char* const phrases[] = {
     QT_TRANSLATE_NOOP("core", "The source has come to its end."),
     QT_TRANSLATE_NOOP("core", "The template was updated by command."),
     QT_TRANSLATE_NOOP("core", "A new calibration is in use. Choose the template again."),
+    QT_TRANSLATE_NOOP("core", "The head is steered to target %1 now."),
+    QT_TRANSLATE_NOOP("core", "There is no target %1."),
+    QT_TRANSLATE_NOOP("core", "Choose it in the left picture first."),
+    QT_TRANSLATE_NOOP("core", "Targets have the numbers 1 to %1: there can't be a target %2."),
+    QT_TRANSLATE_NOOP("core", "Clear a target, then choose this one with its number."),
     QT_TRANSLATE_NOOP("core", "There is no template to follow."),
     QT_TRANSLATE_NOOP("core", "Choose one in the left picture first."),
     QT_TRANSLATE_NOOP("core", "The target is not in sight, so its template can't be updated."),
@@ -124,7 +130,8 @@ std::vector<Phrase> compiled() {
     for (const char* source : phrases) {
         QString pattern = QRegularExpression::escape(QString::fromUtf8(source));
         for (const char* place : {"\\%1", "\\%2", "\\%3", "%1", "%2", "%3"}) {
-            pattern.replace(QString::fromLatin1(place), QStringLiteral("(.+)"));
+            // As little as will do: the first colon ends a target's number, or a state.
+            pattern.replace(QString::fromLatin1(place), QStringLiteral("(.+?)"));
         }
         all.push_back(
             {QRegularExpression(QStringLiteral("\\A") + pattern + QStringLiteral("\\z")), source});

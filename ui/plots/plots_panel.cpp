@@ -131,13 +131,13 @@ int PlotsPanel::samples_shown() const {
 
 void PlotsPanel::add(const Snapshot& snapshot) {
     const double time_s = static_cast<double>(snapshot.time_ns) * 1e-9;
-    const bool followed = !snapshot.tracks.empty();
-    const auto position = followed ? snapshot.tracks.front().estimate.position : std::nullopt;
+    const TrackSnapshot* track = steered_track(snapshot);
+    const auto position = track != nullptr ? track->estimate.position : std::nullopt;
     const double values[] = {
         position ? position->point_in_left_mm.x() : nothing,
         position ? position->point_in_left_mm.y() : nothing,
         position ? position->point_in_left_mm.z() : nothing,
-        followed ? 100.0 * snapshot.tracks.front().estimate.quality : nothing,
+        track != nullptr ? 100.0 * track->estimate.quality : nothing,
         snapshot.rate_hz,
         snapshot.latency_ms,
     };

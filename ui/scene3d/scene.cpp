@@ -30,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "ui/base/theme.h"
@@ -94,8 +95,11 @@ class VtkScene final : public Scene {
             head_ = snapshot.head->angles;
             head_turned_ = true;
         }
-        const auto position =
-            snapshot.tracks.empty() ? std::nullopt : snapshot.tracks.front().estimate.position;
+        const auto position = steered_estimate(snapshot).position;
+        if (snapshot.steered_target != trail_target_) {
+            trail_target_ = snapshot.steered_target;
+            broken_ = true;
+        }
         in_sight_ = position.has_value();
         if (!position) {
             broken_ = true;
@@ -292,6 +296,7 @@ class VtkScene final : public Scene {
     bool head_turned_ = false;
     bool in_sight_ = false;
     bool broken_ = true;
+    std::optional<int> trail_target_;  // whose the trail is
     bool follows_ = false;
 };
 

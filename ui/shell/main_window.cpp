@@ -44,6 +44,15 @@ bool is_simulation(const SourceRequest& request) {
     return request.left.starts_with("sim:");
 }
 
+// One more than there may be where none is free: it is refused with the reason.
+int first_free_number(const Snapshot& snapshot) {
+    int number = 1;
+    for (const TrackSnapshot& track : snapshot.tracks) {
+        number += track.id == number ? 1 : 0;
+    }
+    return number;
+}
+
 // A folder stands for the pictures in it.
 QString source_of(const QString& file) {
     if (!QFileInfo(file).isDir()) {
@@ -120,6 +129,8 @@ void MainWindow::connect_actions() {
     on(actions_->default_layout, [this] { lay_out(); });
     on(actions_->about, [this] { show_about(this); });
     connect(left_, &VideoView::selected, this, &MainWindow::select);
+    connect(left_, &VideoView::target_pointed_at, this,
+            [this](int id) { link_->send(SteerTo{id}); });
     connect(left_, &VideoView::held, this, [this](qint64 frame) { link_->send(HoldFrame{frame}); });
     connect(left_, &VideoView::frozen_changed, actions_->freeze, &QAction::setChecked);
     connect(playback_, &PlaybackBar::seek_asked, this,
@@ -213,8 +224,12 @@ void MainWindow::show_refusal(const Error& error) {
     events_->add_fault(translated(error));
 }
 
-void MainWindow::select(const Rectangle& rectangle, qint64 frame) {
-    link_->send({SelectTemplate{rectangle, frame}, StartTracking{}});
+void MainWindow::select(const Rectangle& rectangle, qint64 frame, bool one_more) {
+    auto target = newest_ ? newest_->steered_target : std::nullopt;
+    if (one_more && target) {
+        target = first_free_number(*newest_);
+    }
+    link_->send({SelectTemplate{rectangle, frame, target}, StartTracking{target}});
 }
 
 void MainWindow::jog(double pan_steps, double tilt_steps) {

@@ -68,7 +68,7 @@ class MainWindow : public QMainWindow {
     void show_numbers();
     void show_refusal(const Error& error);
     void jog(double pan_steps, double tilt_steps);
-    void select(const Rectangle& rectangle, qint64 frame);
+    void select(const Rectangle& rectangle, qint64 frame, bool one_more);
 
     const WindowOptions options_;
     SystemLink* link_;

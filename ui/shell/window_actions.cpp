@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QWidget>
+#include <algorithm>
 
 namespace kambara::ui {
 
@@ -23,7 +24,8 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
     freeze->setCheckable(true);
     select = make(tr("&Select target"), QStringLiteral("T"),
                   tr("Offers a rectangle in the left picture: arrow keys move it, with Shift they "
-                     "change its size, Enter takes it. With the mouse: drag a rectangle"),
+                     "change its size, Enter takes it. With the mouse: drag a rectangle. With "
+                     "Ctrl: one more target"),
                   "selectTarget");
     start = make(tr("St&art tracking"), QStringLiteral("F5"), tr("Follows the template again"),
                  "startTracking");
@@ -31,7 +33,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
                 tr("Stops tracking and halts the head; the template is kept"), "stop");
     update_template = make(tr("&Update template"), QStringLiteral("U"),
                            tr("Takes what is seen now as the new template"), "updateTemplate");
-    clear = make(tr("&Clear template"), QStringLiteral("Del"), tr("Forgets the target"),
+    clear = make(tr("&Clear template"), QStringLiteral("Del"), tr("Forgets all targets"),
                  "clearTemplate");
     steer = make(tr("&Steer"), QStringLiteral("A"),
                  tr("Steers the head to the target; off: it is moved by hand"), "steer");
@@ -79,11 +81,13 @@ void WindowActions::update(const Snapshot* snapshot, bool recording) {
     const bool over = snapshot != nullptr &&
                       (snapshot->run == RunState::ended || snapshot->run == RunState::failed);
     const bool running = snapshot != nullptr && snapshot->run == RunState::running;
-    const auto state = snapshot != nullptr && !snapshot->tracks.empty()
-                           ? snapshot->tracks.front().estimate.state
-                           : TrackState::idle;
+    const auto state = snapshot != nullptr ? steered_estimate(*snapshot).state : TrackState::idle;
     const bool has_template = state != TrackState::idle;
-    const bool followed = has_template && state != TrackState::template_set;
+    const bool all_followed =
+        snapshot == nullptr ||
+        std::none_of(snapshot->tracks.begin(), snapshot->tracks.end(), [](const auto& track) {
+            return track.estimate.state == TrackState::template_set;
+        });
     const bool in_sight = state == TrackState::tracking || state == TrackState::doubtful;
     const bool has_head = snapshot != nullptr && snapshot->head.has_value();
     const QString no_head = tr("There is no pan-tilt head.");
@@ -97,9 +101,8 @@ void WindowActions::update(const Snapshot* snapshot, bool recording) {
                                   : tr("Pause the recording first.")));
     allow(freeze, nothing);
     allow(select, nothing);
-    allow(start,
-          unless(has_template && !followed, has_template ? tr("The target is followed already.")
-                                                         : tr("Choose a target first.")));
+    allow(start, unless(!all_followed, has_template ? tr("The target is followed already.")
+                                                    : tr("Choose a target first.")));
     // Stopping is never refused: it does no harm when there is nothing to stop.
     allow(update_template, unless(in_sight, tr("The target must be in sight.")));
     allow(clear, unless(has_template, tr("There is no template.")));

@@ -22,7 +22,7 @@ CorrelationMapView::CorrelationMapView(QWidget* parent) : QWidget(parent) {
 }
 
 void CorrelationMapView::show_snapshot(const SnapshotPtr& snapshot) {
-    auto search = snapshot->tracks.empty() ? nullptr : snapshot->tracks.front().estimate.search;
+    auto search = steered_estimate(*snapshot).search;
     if (search != search_) {
         search_ = std::move(search);
         colour();

@@ -39,6 +39,9 @@ TrackPanel::TrackPanel(QWidget* parent) : QWidget(parent) {
     reason_->setMinimumHeight(2 * reason_->fontMetrics().lineSpacing());
     reason_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     form->addRow(reason_);
+    number_ = add_row(tr("Steered target"), QStringLiteral("steeredTarget"),
+                      tr("Ctrl + drag in the left picture chooses one more target; Ctrl + click on "
+                         "one steers to it."));
     x_ = add_row(tr("x (right)"), QStringLiteral("positionX"),
                  tr("In the left camera's frame; \u00B1 one standard deviation from image noise."));
     y_ = add_row(tr("y (down)"), QStringLiteral("positionY"), x_->toolTip());
@@ -69,17 +72,21 @@ void TrackPanel::clear() {
     state_->setText(name_of(TrackState::idle));
     state_->setStyleSheet(QStringLiteral("color: %1").arg(theme::faint.name()));
     reason_->setText(tr("Drag a rectangle over the target in the left picture."));
-    for (QLabel* label : {x_, y_, z_, range_, quality_, residual_, updates_}) {
+    for (QLabel* label : {number_, x_, y_, z_, range_, quality_, residual_, updates_}) {
         label->setText(none);
     }
 }
 
 void TrackPanel::show_snapshot(const SnapshotPtr& snapshot) {
-    if (snapshot->tracks.empty()) {
+    const TrackSnapshot* track = steered_track(*snapshot);
+    if (track == nullptr) {
         clear();
         return;
     }
-    const TrackEstimate& estimate = snapshot->tracks.front().estimate;
+    const TrackEstimate& estimate = track->estimate;
+    const auto count = snapshot->tracks.size();
+    number_->setText(count > 1 ? tr("number %1, one of %2").arg(track->id).arg(count)
+                               : tr("number %1").arg(track->id));
     state_->setText(name_of(estimate.state));
     state_->setStyleSheet(QStringLiteral("color: %1").arg(colour_of(estimate.state).name()));
     reason_->setText(estimate.state == TrackState::template_set

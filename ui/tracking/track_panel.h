@@ -9,7 +9,7 @@ class QLabel;
 
 namespace kambara::ui {
 
-/// The target in numbers: state and reason, position with its uncertainty, range, quality.
+/// The steered target in numbers: state and reason, position with its uncertainty, range, quality.
 class TrackPanel : public QWidget {
     Q_OBJECT
   public:
@@ -23,6 +23,7 @@ class TrackPanel : public QWidget {
 
     QLabel* state_;
     QLabel* reason_;
+    QLabel* number_;
     QLabel* x_;
     QLabel* y_;
     QLabel* z_;

@@ -3,6 +3,9 @@
 
 #include <QPainter>
 #include <QPolygonF>
+#include <QStringList>
+#include <cmath>
+#include <limits>
 
 #include "ui/base/core_text.h"
 #include "ui/base/quantities.h"
@@ -12,6 +15,12 @@ namespace kambara::ui {
 namespace {
 
 constexpr double arm = 6.0;  // of a cross, screen pixels
+
+struct Look {
+    QColor colour;
+    double width = 2.0;
+    QString label;
+};
 
 QPointF point(const Eigen::Vector2d& pixel) {
     return {pixel.x(), pixel.y()};
@@ -24,38 +33,60 @@ QRectF area(const ViewTransform& view, const Rectangle& rectangle) {
 }
 
 void paint_match(QPainter& painter, const ViewTransform& view, const Eigen::Vector2d& pixel,
-                 const Eigen::Vector2i& size_px, const QColor& colour, const QString& label) {
+                 const Eigen::Vector2i& size_px, const Look& look) {
     const QPointF centre = view.widget_from_pixel(point(pixel));
     const QSizeF size(size_px.x() * view.zoom(), size_px.y() * view.zoom());
     const QRectF box(centre - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
-    painter.setPen(QPen(colour, 2.0));
+    painter.setPen(QPen(look.colour, look.width));
     painter.drawRect(box);
     painter.drawLine(centre - QPointF(arm, 0.0), centre + QPointF(arm, 0.0));
     painter.drawLine(centre - QPointF(0.0, arm), centre + QPointF(0.0, arm));
-    if (!label.isEmpty()) {
-        const QRectF text_area = painter.fontMetrics().boundingRect(label);
+    if (!look.label.isEmpty()) {
+        const QRectF text_area = painter.fontMetrics().boundingRect(look.label);
         const QRectF ground(box.left() - 1.0, box.top() - text_area.height() - 5.0,
                             text_area.width() + 10.0, text_area.height() + 4.0);
-        painter.fillRect(ground, colour);
+        painter.fillRect(ground, look.colour);
         painter.setPen(Qt::black);
-        painter.drawText(ground, Qt::AlignCenter, label);
+        painter.drawText(ground, Qt::AlignCenter, look.label);
     }
 }
 
-void paint_left(QPainter& painter, const ViewTransform& view, const TrackEstimate& estimate) {
-    const QColor colour = colour_of(estimate.state);
-    if (estimate.search && !estimate.search->map.empty()) {
-        painter.setPen(QPen(colour, 1.0, Qt::DashLine));
+// `said` is said of the steered target alone.
+Look look_of(const Snapshot& snapshot, const TrackSnapshot& track, const QString& said) {
+    const bool steered = track.id == snapshot.steered_target;
+    QStringList label;
+    if (snapshot.tracks.size() > 1) {
+        label << QString::number(track.id);
+    }
+    if (steered && !said.isEmpty()) {
+        label << said;
+    } else if (!steered) {
+        label << name_of(track.estimate.state);
+    }
+    return {colour_of(track.estimate.state), steered ? 2.5 : 1.0, label.join(QStringLiteral("  "))};
+}
+
+void paint_left(QPainter& painter, const ViewTransform& view, const Snapshot& snapshot,
+                const TrackSnapshot& track) {
+    const TrackEstimate& estimate = track.estimate;
+    const bool steered = track.id == snapshot.steered_target;
+    const Look look =
+        look_of(snapshot, track,
+                name_of(estimate.state) + QStringLiteral("  ") + percent(estimate.quality));
+    if (steered && estimate.search && !estimate.search->map.empty()) {
+        painter.setPen(QPen(look.colour, 1.0, Qt::DashLine));
         painter.drawRect(area(view, estimate.search->window()));
     }
     if (estimate.left_px) {
-        paint_match(painter, view, *estimate.left_px, estimate.template_size_px, colour,
-                    name_of(estimate.state) + QStringLiteral("  ") + percent(estimate.quality));
+        paint_match(painter, view, *estimate.left_px, estimate.template_size_px, look);
     }
 }
 
-void paint_right(QPainter& painter, const ViewTransform& view, const TrackEstimate& estimate) {
-    if (estimate.search && estimate.search->epipolar_px.size() > 1) {
+void paint_right(QPainter& painter, const ViewTransform& view, const Snapshot& snapshot,
+                 const TrackSnapshot& track) {
+    const TrackEstimate& estimate = track.estimate;
+    const bool steered = track.id == snapshot.steered_target;
+    if (steered && estimate.search && estimate.search->epipolar_px.size() > 1) {
         QPolygonF curve;
         for (const Eigen::Vector2d& pixel : estimate.search->epipolar_px) {
             curve << view.widget_from_pixel(point(pixel));
@@ -68,7 +99,7 @@ void paint_right(QPainter& painter, const ViewTransform& view, const TrackEstima
                                   ? millimetres(estimate.position->point_in_left_mm.norm(), 0)
                                   : QString();
         paint_match(painter, view, *estimate.right_px, estimate.template_size_px,
-                    colour_of(estimate.state), label);
+                    look_of(snapshot, track, label));
     }
 }
 
@@ -96,11 +127,30 @@ void paint_overlay(QPainter& painter, const ViewTransform& view, ViewedCamera ca
     }
     for (const TrackSnapshot& track : snapshot.tracks) {
         if (camera == ViewedCamera::left) {
-            paint_left(painter, view, track.estimate);
+            paint_left(painter, view, snapshot, track);
         } else {
-            paint_right(painter, view, track.estimate);
+            paint_right(painter, view, snapshot, track);
         }
     }
+}
+
+std::optional<int> target_under(const Snapshot& snapshot, const QPointF& left_px) {
+    std::optional<int> nearest;
+    double nearest_px = std::numeric_limits<double>::infinity();
+    for (const TrackSnapshot& track : snapshot.tracks) {
+        if (!track.estimate.left_px) {
+            continue;
+        }
+        const QPointF off = left_px - point(*track.estimate.left_px);
+        const Eigen::Vector2d half_px = 0.5 * track.estimate.template_size_px.cast<double>();
+        const double distance_px = std::hypot(off.x(), off.y());
+        if (std::abs(off.x()) <= half_px.x() && std::abs(off.y()) <= half_px.y() &&
+            distance_px < nearest_px) {
+            nearest = track.id;
+            nearest_px = distance_px;
+        }
+    }
+    return nearest;
 }
 
 void paint_selection(QPainter& painter, const ViewTransform& view, const Rectangle& rectangle) {

@@ -129,6 +129,7 @@ void VideoView::begin_selection() {
         return;
     }
     selection_ = RectangleSelection::centred(image_.size(), first_size_px);
+    one_more_ = false;
     hold();
     setFocus(Qt::OtherFocusReason);
     update();
@@ -146,10 +147,15 @@ void VideoView::finish_selection() {
     const auto chosen = selection_;
     const qint64 frame = shown_ ? shown_->frame : -1;
     selection_.reset();
-    // A click that was hardly a drag asks for nothing.
+    // A click that was hardly a drag asks for nothing; with Ctrl, for the target under it.
     if (chosen && chosen->large_enough() && frame >= 0) {
-        emit selected(chosen->rectangle(), frame);
+        emit selected(chosen->rectangle(), frame, one_more_);
         set_frozen(false);
+    } else if (chosen && one_more_ && shown_) {
+        const Rectangle& spot = chosen->rectangle();
+        if (const auto id = target_under(*shown_, {spot.centre_x_px(), spot.centre_y_px()})) {
+            emit target_pointed_at(*id);
+        }
     }
     cancel_selection();
 }
@@ -188,6 +194,7 @@ void VideoView::mousePressEvent(QMouseEvent* event) {
     } else if (event->button() == Qt::LeftButton && may_select_ && !image_.isNull()) {
         const bool held_already = holding();
         selection_ = RectangleSelection(image_.size(), view_.pixel_from_widget(event->pos()));
+        one_more_ = (event->modifiers() & Qt::ControlModifier) != 0;
         if (!held_already) {
             hold();
         }
@@ -252,6 +259,7 @@ bool VideoView::selection_key(const QKeyEvent& event) {
             return true;
         case Qt::Key_Return:
         case Qt::Key_Enter:
+            one_more_ = (event.modifiers() & Qt::ControlModifier) != 0;
             finish_selection();
             return true;
         case Qt::Key_Escape:

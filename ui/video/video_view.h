@@ -19,7 +19,8 @@ namespace kambara::ui {
 /// Wheel zooms about the cursor, middle drag moves, 0 fits, 1 shows pixel for pixel, F freezes.
 /// Where selecting is allowed, a left drag draws a rectangle; begin_selection() offers one that
 /// the arrow keys move (10 px; with Ctrl 1 px; with Shift they change its size), Enter takes and
-/// Escape drops. While a rectangle is drawn the picture stands still.
+/// Escape drops. While a rectangle is drawn the picture stands still. A drag, or Enter, with Ctrl
+/// asks for one more target; a click with Ctrl on a target's box for steering to it.
 class VideoView : public QWidget {
     Q_OBJECT
   public:
@@ -43,8 +44,11 @@ class VideoView : public QWidget {
     QSize minimumSizeHint() const override { return {160, 120}; }
 
   signals:
-    /// A rectangle was chosen in the left picture of that frame.
-    void selected(const kambara::Rectangle& rectangle, qint64 frame);
+    /// A rectangle was chosen in the left picture of that frame: for the steered target, or for one
+    /// more.
+    void selected(const kambara::Rectangle& rectangle, qint64 frame, bool one_more);
+    /// The operator pointed at a target's box.
+    void target_pointed_at(int id);
     /// The operator looks at that frame: it should be remembered.
     void held(qint64 frame);
     void frozen_changed(bool frozen);
@@ -83,6 +87,7 @@ class VideoView : public QWidget {
     bool may_select_ = false;
     bool frozen_ = false;
     std::optional<RectangleSelection> selection_;
+    bool one_more_ = false;  // the selection is for one more target
     std::optional<QPointF> moved_from_;
     std::optional<QPointF> cursor_;
     QElapsedTimer since_newest_;

@@ -14,10 +14,16 @@ namespace {
 const std::vector<Command> all_commands{
     SelectTemplate{{3, 4, 21, 31}, std::nullopt},
     SelectTemplate{{0, 0, 7, 7}, 9'000'000'000'000},
+    SelectTemplate{{0, 0, 7, 7}, std::nullopt, 16},
     StartTracking{},
+    StartTracking{2},
     StopTracking{},
+    StopTracking{3},
     UpdateTemplate{},
+    UpdateTemplate{4},
     ClearTemplate{},
+    ClearTemplate{5},
+    SteerTo{6},
     MoveHead{{0.1, -1.0 / 3.0}},
     HaltHead{},
     Seek{0},
@@ -33,7 +39,7 @@ const std::vector<Command> all_commands{
 };
 
 TEST(Serialise, EveryCommandComesBackAsItWas) {
-    ASSERT_EQ(std::variant_size_v<Command>, 13U) << "add the new command to the list above";
+    ASSERT_EQ(std::variant_size_v<Command>, 14U) << "add the new command to the list above";
     for (const Command& command : all_commands) {
         const auto back = command_from_json(to_json(command));
         ASSERT_TRUE(back) << back.error().text();
@@ -81,6 +87,7 @@ Snapshot full_snapshot() {
     position.parallax_rad = 0.3;
     track.estimate.position = position;
     snapshot.tracks = {track, TrackSnapshot{2, {}}};
+    snapshot.steered_target = 2;
     snapshot.head = HeadSnapshot{{0.2, -0.1}, HeadAngles{0.3, -0.2}, true, false, true, "cable"};
     return snapshot;
 }
@@ -95,6 +102,7 @@ TEST(Serialise, ASnapshotComesBackAsItWas) {
         EXPECT_EQ(back->run, snapshot.run);
         EXPECT_EQ(back->failure, snapshot.failure);
         EXPECT_EQ(back->head, snapshot.head);
+        EXPECT_EQ(back->steered_target, snapshot.steered_target);
         EXPECT_EQ(back->frames_lost, snapshot.frames_lost);
         EXPECT_EQ(back->latency_ms, snapshot.latency_ms);
         EXPECT_EQ(back->frames_total, snapshot.frames_total);
@@ -119,6 +127,8 @@ TEST(Serialise, RefusesWhatIsMissingMistypedOrUnknown) {
         {R"({"command":"select_template","rectangle_px":[1,2,3,4000000000]})", "wrong type"},
         {R"({"command":"move_head","pan_rad":"left","tilt_rad":0})", "pan_rad"},
         {R"({"command":"move_head","pan_rad":0})", "tilt_rad"},
+        {R"({"command":"steer_to"})", "target"},
+        {R"({"command":"start_tracking","target":"all"})", "target"},
         {R"({"command":"flow","kind":"sideways"})", "kind"},
     };
     for (const auto& [text, named] : bad) {

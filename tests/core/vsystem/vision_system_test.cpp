@@ -14,53 +14,22 @@
 
 #include "core/camera/nominal_rig.h"
 #include "core/pointing/aim.h"
+#include "tests/support/instant_head.h"
 #include "tests/support/list_grabber.h"
 #include "tests/support/textured_plane.h"
+#include "tests/support/wait_for_snapshot.h"
 
 namespace kambara {
 namespace {
 
 using testing_support::drawn_pair;
+using testing_support::InstantHead;
 using testing_support::ListGrabber;
+using testing_support::run_out;
 using testing_support::TexturedPlane;
+using testing_support::wait_for;
 
 constexpr Rectangle rectangle{300, 230, 31, 31};
-
-// A head that is at once where it is told to look, and remembers what it was told.
-class InstantHead final : public PanTiltCamera {
-  public:
-    std::string name() const override { return "instant"; }
-    HeadLimits limits() const override { return {}; }
-    Result<Done> move_to(const HeadAngles& angles) override {
-        if (refusals-- > 0) {
-            return Error{"The head does not answer.", "Look at its cable."};
-        }
-        std::lock_guard lock(mutex_);
-        angles_ = angles;
-        ++moves_;
-        return Done{};
-    }
-    Result<Done> halt() override {
-        ++halts;
-        return Done{};
-    }
-    Result<HeadStatus> status() override {
-        std::lock_guard lock(mutex_);
-        return HeadStatus{angles_, false, 0};
-    }
-    int moves() const {
-        std::lock_guard lock(mutex_);
-        return moves_;
-    }
-
-    std::atomic<int> halts = 0;
-    std::atomic<int> refusals = 0;  // of the next moves
-
-  private:
-    mutable std::mutex mutex_;
-    HeadAngles angles_;
-    int moves_ = 0;
-};
 
 // The plane's pictures are drawn once for all tests.
 const std::vector<StereoFrame>& recording() {
@@ -98,34 +67,6 @@ class VisionSystemTest : public testing::Test {
         options.every_frame = true;
         options.start_paused = paused;
         return open_vision_system(std::move(parts), options, clock_);
-    }
-
-    // Waits for a snapshot that is as asked.
-    static SnapshotPtr wait_for(VsystemInterface& system,
-                                const std::function<bool(const Snapshot&)>& as_asked) {
-        std::mutex mutex;
-        std::condition_variable_any arrived;
-        SnapshotPtr found;
-        const auto look = [&](const SnapshotPtr& snapshot) {
-            std::lock_guard lock(mutex);
-            if (!found && as_asked(*snapshot)) {
-                found = snapshot;
-                arrived.notify_all();
-            }
-        };
-        const auto observation = system.observe(look);
-        look(system.latest());
-        std::unique_lock lock(mutex);
-        arrived.wait(lock, [&] { return found != nullptr; });
-        return found;
-    }
-
-    // Lets it run and waits until the source is over.
-    static SnapshotPtr run_out(VsystemInterface& system) {
-        EXPECT_TRUE(system.execute(Flow{Flow::Kind::run}));
-        return wait_for(system, [](const Snapshot& snapshot) {
-            return snapshot.run == RunState::ended || snapshot.run == RunState::failed;
-        });
     }
 
     SteadyClock clock_;
