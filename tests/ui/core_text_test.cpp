@@ -31,6 +31,8 @@ TEST(CoreText, TranslatesPhrasesAndKeepsTheirNumbers) {
               "[the match is only 63 % alike]");
     EXPECT_EQ(translated(std::string("Tracking -> Lost: not found in the right picture")),
               "[[Tracking] -> [Lost]: [not found in the right picture]]");
+    EXPECT_EQ(translated(std::string("Target 2: Tracking -> Lost: not found in the right picture")),
+              "[Target 2: [[Tracking] -> [Lost]: [not found in the right picture]]]");
     EXPECT_EQ(translated(std::string("nothing known")), "nothing known");
     EXPECT_EQ(translated(Error{"There is no pan-tilt head.", "Pray."}),
               "[There is no pan-tilt head.] Pray.");

@@ -100,7 +100,8 @@ std::vector<Phrase> compiled() {
     for (const char* source : phrases) {
         QString pattern = QRegularExpression::escape(QString::fromUtf8(source));
         for (const char* place : {"\\%1", "\\%2", "\\%3", "%1", "%2", "%3"}) {
-            pattern.replace(QString::fromLatin1(place), QStringLiteral("(.+)"));
+            // As little as will do: the first colon ends a target's number, or a state.
+            pattern.replace(QString::fromLatin1(place), QStringLiteral("(.+?)"));
         }
         all.push_back(
             {QRegularExpression(QStringLiteral("\\A") + pattern + QStringLiteral("\\z")), source});
