@@ -59,6 +59,15 @@ void filter(double* line, int n, std::ptrdiff_t step) {
 
 }  // namespace
 
+Rectangle spline_piece(const Rectangle& rectangle, const Image& picture) {
+    constexpr int border_px = 8;
+    const int left = std::max(0, rectangle.x - border_px);
+    const int top = std::max(0, rectangle.y - border_px);
+    const int right = std::min(picture.width(), rectangle.x + rectangle.width + border_px);
+    const int bottom = std::min(picture.height(), rectangle.y + rectangle.height + border_px);
+    return {left, top, right - left, bottom - top};
+}
+
 CubicSpline::CubicSpline(const Image& grey, const Rectangle& piece)
     : piece_(piece),
       coefficients_(static_cast<std::size_t>(piece.width) *

@@ -32,4 +32,8 @@ class CubicSpline {
     std::vector<double> coefficients_;
 };
 
+/// The piece of a picture whose spline has the picture's own values over a rectangle: what lies
+/// more than 8 pixels outside no longer reaches them.
+Rectangle spline_piece(const Rectangle& rectangle, const Image& picture);
+
 }  // namespace kambara

@@ -123,17 +123,19 @@ std::optional<double> runner_up(const ScoreMap& map, Measure measure, const Peak
     return best;
 }
 
+bool is_peak(const ScoreMap& map, Measure measure, int x, int y) {
+    const double score = map.at(x, y);
+    bool bettered = false;
+    for_neighbours(map, x, y, [&](int u, int v) {
+        bettered = bettered || better(measure, map.at(u, v), score);
+    });
+    return !bettered;
+}
+
 std::optional<double> second_peak(const ScoreMap& map, Measure measure, const Peak& peak,
                                   int distance) {
     const Rectangle& r = map.positions;
     std::optional<double> best;
-    const auto is_peak = [&](int x, int y, double score) {
-        bool bettered = false;
-        for_neighbours(map, x, y, [&](int u, int v) {
-            bettered = bettered || better(measure, map.at(u, v), score);
-        });
-        return !bettered;
-    };
     for (int y = r.y; y < r.y + r.height; ++y) {
         const bool near_row = std::abs(y - peak.whole_y) <= distance;
         if (best && !better(measure, best_of(map, measure, r.x, y, r.width), *best)) {
@@ -143,7 +145,7 @@ std::optional<double> second_peak(const ScoreMap& map, Measure measure, const Pe
             const double score = map.at(x, y);
             const bool apart = !near_row || std::abs(x - peak.whole_x) > distance;
             if (apart && (!best || better(measure, score, *best)) && map.searched(x, y) &&
-                is_peak(x, y, score)) {
+                is_peak(map, measure, x, y)) {
                 best = score;
             }
         }

@@ -36,6 +36,9 @@ constexpr int apart_px(int width, int height) {
     return std::max(3, std::min(width, height) / 3);
 }
 
+/// Whether none of a position's neighbours betters it.
+bool is_peak(const ScoreMap& map, Measure measure, int x, int y);
+
 /// The score of the best other peak: the best position farther than `distance` from the peak (in x
 /// or in y) that none of its neighbours betters, so that the slope of the peak itself is none.
 /// Empty where there is no such position.

@@ -22,20 +22,11 @@ constexpr double settled_px = 1e-3;
 constexpr double farthest_px = 3.0;
 constexpr double largest_growth = 1.2;
 constexpr double largest_turn_rad = 0.3;
-constexpr int spline_border_px = 8;     // what lies farther does not reach the spline's values
 constexpr double least_texture = 1e-3;  // of a flat direction's share in the normal matrix
 constexpr double tukey = 4.685;         // deviations: 95 % efficient on normal residuals
 constexpr double outlier_deviations = 4.0;
 constexpr double least_deviation_grey = 1.0;  // rounding and noise: below, nothing stands out
 constexpr std::size_t fewest_pixels = 24;
-
-Rectangle grown_within(const Rectangle& r, int by, const Image& picture) {
-    const int left = std::max(0, r.x - by);
-    const int top = std::max(0, r.y - by);
-    const int right = std::min(picture.width(), r.x + r.width + by);
-    const int bottom = std::min(picture.height(), r.y + r.height + by);
-    return {left, top, right - left, bottom - top};
-}
 
 // A pixel of the template: where it lies from the centre, and the terms of the linear model
 //   picture = a T + b + a (Tx, Ty) . (d + [g -t; t g] u / radius)
@@ -50,8 +41,8 @@ class Fit {
     Fit(const Image& picture, const Image& picture_of_template, const Rectangle& rectangle,
         const Image* mask)
         : picture_(picture), half_(0.5 * (rectangle.width - 1), 0.5 * (rectangle.height - 1)) {
-        const CubicSpline of_template(
-            picture_of_template, grown_within(rectangle, spline_border_px, picture_of_template));
+        const CubicSpline of_template(picture_of_template,
+                                      spline_piece(rectangle, picture_of_template));
         radius_ = std::max(1.0, half_.norm());
         double mean = 0.0;
         for (int y = 0; y < rectangle.height; ++y) {
@@ -102,7 +93,7 @@ class Fit {
         const Eigen::Vector2i last = (start_px + reach).array().ceil().cast<int>();
         const Rectangle around{first.x(), first.y(), last.x() - first.x() + 1,
                                last.y() - first.y() + 1};
-        const Rectangle piece = grown_within(around, spline_border_px, picture_);
+        const Rectangle piece = spline_piece(around, picture_);
         if (piece.width < 4 || piece.height < 4) {
             return false;
         }

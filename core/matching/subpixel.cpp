@@ -15,16 +15,7 @@ namespace {
 constexpr int most_steps = 20;
 constexpr double settled_px = 1e-4;
 constexpr double farthest_px = 1.5;
-constexpr int spline_border_px = 8;     // what lies farther does not reach the spline's values
 constexpr double least_texture = 1e-3;  // of a flat direction's share in the normal matrix
-
-Rectangle grown(const Rectangle& r, int by, const Image& within) {
-    const int left = std::max(0, r.x - by);
-    const int top = std::max(0, r.y - by);
-    const int right = std::min(within.width(), r.x + r.width + by);
-    const int bottom = std::min(within.height(), r.y + r.height + by);
-    return {left, top, right - left, bottom - top};
-}
 
 }  // namespace
 
@@ -35,7 +26,7 @@ std::optional<SubpixelMatch> refine_match(const Image& picture, const Image& pic
     using Vector4 = Eigen::Vector4d;
     // Unknowns of picture = a T + b + a dT/dx dx + a dT/dy dy: linear in (a dx, a dy, a, b).
     const CubicSpline of_template(picture_of_template,
-                                  grown(rectangle, spline_border_px, picture_of_template));
+                                  spline_piece(rectangle, picture_of_template));
     const auto count =
         static_cast<std::size_t>(rectangle.width) * static_cast<std::size_t>(rectangle.height);
     std::vector<Vector4> terms(count);
@@ -60,10 +51,12 @@ std::optional<SubpixelMatch> refine_match(const Image& picture, const Image& pic
     const Rectangle around{static_cast<int>(std::floor(start_px.x())) - 2,
                            static_cast<int>(std::floor(start_px.y())) - 2, rectangle.width + 5,
                            rectangle.height + 5};
-    if (!grown(around, 0, picture).inside(picture.width(), picture.height())) {
+    const bool meets_picture = around.x < picture.width() && around.y < picture.height() &&
+                               around.x + around.width > 0 && around.y + around.height > 0;
+    if (!meets_picture) {
         return std::nullopt;
     }
-    const CubicSpline of_picture(picture, grown(around, spline_border_px, picture));
+    const CubicSpline of_picture(picture, spline_piece(around, picture));
     Eigen::Vector2d place = start_px;
     for (int step = 0; step < most_steps; ++step) {
         const bool inside = place.x() >= 0.0 && place.y() >= 0.0 &&

@@ -12,6 +12,7 @@ namespace kambara {
 namespace {
 
 constexpr double smallest_cosine = 0.05;  // rays along the plane hit it nowhere useful
+constexpr double least_forward = 0.02;    // of a ray's direction, to meet a plane before the rig
 constexpr double least_turn_rad = 0.03;   // a patch turned by less is drawn in full, unmasked
 
 // Keys' cubic convolution with a = -1/2: exact for quadratics.
@@ -105,6 +106,21 @@ Eigen::Matrix2d matrix_of(const PlanarChange& change) {
     return matrix;
 }
 
+// From a camera's pixel to the plane through `point`, square to the rig's z axis; there changed
+// about that point, carried to the plane through `to_point`, and seen by the other camera.
+std::optional<Eigen::Vector2d> carried(const Camera& camera, const Eigen::Vector2d& pixel,
+                                       const Eigen::Vector3d& point, const Eigen::Matrix2d& change,
+                                       const Camera& to_camera, const Eigen::Vector3d& to_point) {
+    const auto ray = camera.unproject(pixel);
+    if (!ray || std::abs(ray->direction.z()) < smallest_cosine) {
+        return std::nullopt;
+    }
+    const double along = (point.z() - ray->origin_mm.z()) / ray->direction.z();
+    Eigen::Vector3d from_point = ray->at(along) - point;
+    from_point.head<2>() = change * from_point.head<2>();
+    return to_camera.project(to_point + from_point);
+}
+
 bool is_turned(const ReferencePatch& patch) {
     return std::abs(patch.change.turn_rad) > least_turn_rad;
 }
@@ -155,6 +171,15 @@ bool within(const ReferencePatch& patch, const Eigen::Vector2d& source) {
 
 }  // namespace
 
+std::optional<Eigen::Vector3d> place_at_depth(const Camera& camera, const Eigen::Vector2d& pixel,
+                                              double depth_mm) {
+    const auto ray = camera.unproject(pixel);
+    if (!ray || ray->direction.z() < least_forward) {
+        return std::nullopt;
+    }
+    return ray->at((depth_mm - ray->origin_mm.z()) / ray->direction.z());
+}
+
 std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Camera& left,
                                           const Camera& camera,
                                           const Eigen::Vector3d& point_in_rig_mm, int margin) {
@@ -180,17 +205,9 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
         result.mask = Image(2 * half->x() + 1, 2 * half->y() + 1);
     }
     const Rectangle region{first.x(), first.y(), result.picture.width(), result.picture.height()};
-    const auto sources = SmoothMap::made(
-        region, [&](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector2d> {
-            const auto ray = camera.unproject(pixel);
-            if (!ray || std::abs(ray->direction.z()) < smallest_cosine) {
-                return std::nullopt;
-            }
-            const double along = (point_in_rig_mm.z() - ray->origin_mm.z()) / ray->direction.z();
-            Eigen::Vector3d from_point = ray->at(along) - point_in_rig_mm;
-            from_point.head<2>() = back * from_point.head<2>();
-            return left.project(patch.point_in_rig_mm + from_point);
-        });
+    const auto sources = SmoothMap::made(region, [&](const Eigen::Vector2d& pixel) {
+        return carried(camera, pixel, point_in_rig_mm, back, left, patch.point_in_rig_mm);
+    });
     if (!sources) {
         return std::nullopt;
     }
@@ -211,18 +228,9 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
 std::optional<Image> drawn_back(const ReferencePatch& patch, const Camera& left, const Image& grey,
                                 const Eigen::Vector3d& point_in_rig_mm, const Rectangle& piece) {
     const Eigen::Matrix2d onwards = matrix_of(patch.change);
-    const auto places =
-        SmoothMap::made(piece, [&](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector2d> {
-            const auto ray = left.unproject(pixel);
-            if (!ray || std::abs(ray->direction.z()) < smallest_cosine) {
-                return std::nullopt;
-            }
-            const double along =
-                (patch.point_in_rig_mm.z() - ray->origin_mm.z()) / ray->direction.z();
-            Eigen::Vector3d from_point = ray->at(along) - patch.point_in_rig_mm;
-            from_point.head<2>() = onwards * from_point.head<2>();
-            return left.project(point_in_rig_mm + from_point);
-        });
+    const auto places = SmoothMap::made(piece, [&](const Eigen::Vector2d& pixel) {
+        return carried(left, pixel, patch.point_in_rig_mm, onwards, left, point_in_rig_mm);
+    });
     if (!places) {
         return std::nullopt;
     }

@@ -51,6 +51,11 @@ struct RenderedPatch {
     }
 };
 
+/// The place that a camera sees at `pixel` where its ray meets the plane at `depth_mm` along the
+/// rig's z axis; empty where the ray does not lead forward.
+std::optional<Eigen::Vector3d> place_at_depth(const Camera& camera, const Eigen::Vector2d& pixel,
+                                              double depth_mm);
+
 /// Draws the patch for `camera` with its reference point at `point_in_rig_mm`: the patch is taken
 /// as a flat piece square to the rig's z axis that was carried from where it was to the new place,
 /// and there changed in its plane as it says. Each pixel's ray goes through the camera's lens to

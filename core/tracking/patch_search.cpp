@@ -59,7 +59,7 @@ std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, 
     matcher.set_template(drawn.picture, inner, drawn.mask_or_null());
     matcher.scores(grey, positions, map);
     const Measure measure = options.method.measure;
-    const int apart = std::max(3, std::min(inner.width, inner.height) / 3);
+    const int apart = apart_px(inner.width, inner.height);
     const RivalScope scope{drawn.top_left.cast<double>(), reach_px, apart};
     const auto peak = likely_peak(map, matcher, scope, preferred_by);
     if (!peak) {
@@ -86,16 +86,6 @@ std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, 
     return found;
 }
 
-// The place at the expected distance along the camera's axis that is seen at `pixel`.
-std::optional<Eigen::Vector3d> place_at(const Camera& camera, const Eigen::Vector2d& pixel,
-                                        const Eigen::Vector3d& expected_in_rig_mm) {
-    const auto ray = camera.unproject(pixel);
-    if (!ray || ray->direction.z() < 0.02) {
-        return std::nullopt;
-    }
-    return ray->at((expected_in_rig_mm.z() - ray->origin_mm.z()) / ray->direction.z());
-}
-
 // How far, across and down, to look about a sample of the curve: halfway to its neighbours, and the
 // band beside it.
 Eigen::Vector2i reach_to_neighbours(const std::vector<EpipolarSample>& curve, std::size_t i,
@@ -119,7 +109,7 @@ std::optional<RenderedPatch> refine(PatchMatch& match, const ReferencePatch& pat
     const Eigen::Vector2d start = match.pixel;
     std::optional<RenderedPatch> last;
     for (int i = 0; i < most_refinements; ++i) {
-        const auto place = place_at(camera, match.pixel, expected_in_rig_mm);
+        const auto place = place_at_depth(camera, match.pixel, expected_in_rig_mm.z());
         auto drawn = place ? drawn_for(options.method, patch, left, camera, *place) : std::nullopt;
         const auto found = drawn ? match_drawn(*drawn, grey, 2, 2, options) : std::nullopt;
         if (!found || (found->match.pixel - start).norm() > farthest_refinement_px) {

@@ -9,23 +9,6 @@ namespace {
 
 constexpr double valley_depth = 0.02;  // below the lower peak: less may be noise
 
-bool is_peak(const ScoreMap& map, Measure measure, int x, int y) {
-    const double here = map.at(x, y);
-    for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-            const int nx = x + dx;
-            const int ny = y + dy;
-            const bool inside = nx >= map.positions.x && ny >= map.positions.y &&
-                                nx < map.positions.x + map.positions.width &&
-                                ny < map.positions.y + map.positions.height;
-            if (inside && better(measure, map.at(nx, ny), here)) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 // Whether the straight way between two places leads through worse ones.
 bool valley_between(const ScoreMap& map, const Matcher& matcher, const Eigen::Vector2d& from,
                     const Eigen::Vector2d& to, double quality) {

@@ -17,7 +17,6 @@ constexpr double surprise_grows = 1.5;  // likewise, while it is not seen
 constexpr double reach_by_surprise = 2.0;
 constexpr double least_reach_px = 4.0;
 constexpr int realigned_within_px = 5;
-constexpr double least_forward = 0.02;  // of a ray's direction, to meet a plane before the rig
 
 // A template of the target as it is seen now, about `pixel`, of the size it has now. Refused where
 // it would reach out of the picture or lacks texture.
@@ -126,7 +125,6 @@ void StereoTracker::clear() {
     surprise_px_ = 0.0;
     to_be_confirmed_ = false;
     frames_in_state_ = 0;
-    frames_since_update_ = 0;
     estimate_ = {};
 }
 
@@ -160,7 +158,6 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
         return estimate_;
     }
     ++frames_in_state_;
-    ++frames_since_update_;
     const bool lost = estimate_.state == TrackState::lost || place_unknown_;
     const bool everywhere = lost && frames_in_state_ % frames_between_full_searches == 1;
     estimate_.forget_place();
@@ -177,7 +174,7 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
         miss("the likest place in the left picture is right with a probability of only " +
              percent(measured->left.quality));
     } else if (measured->ambiguous) {
-        surprise_px_ = std::max(surprise_px_, 1.0) * surprise_grows;
+        grow_surprise();
         judge(*measured);
         to_be_confirmed_ = true;
     } else {
@@ -208,6 +205,10 @@ void StereoTracker::note_surprise(const TargetMeasurement& measured,
     }
 }
 
+void StereoTracker::grow_surprise() {
+    surprise_px_ = std::max(surprise_px_, 1.0) * surprise_grows;
+}
+
 // Where the target is thought to be. Once it is lost, a place in sight and at the distance it was
 // last tracked at, since a target that has left the picture comes back somewhere inside, and a
 // motion towards or from the camera that goes on and on would soon make it too large or too small
@@ -224,10 +225,7 @@ Eigen::Vector3d StereoTracker::expected_place(std::int64_t time_ns) const {
     const Eigen::Vector2d half = 0.5 * looks_->first().size_px.cast<double>();
     const Eigen::Vector2d nearest =
         pixel ? Eigen::Vector2d(pixel->cwiseMax(half).cwiseMin(2.0 * middle - half)) : middle;
-    const auto ray = rig_.left.unproject(nearest);
-    return ray && ray->direction.z() > least_forward
-               ? ray->at((last.z() - ray->origin_mm.z()) / ray->direction.z())
-               : expected;
+    return place_at_depth(rig_.left, nearest, last.z()).value_or(expected);
 }
 
 // The first template decides unless a later one fits clearly better.
@@ -367,18 +365,15 @@ void StereoTracker::refresh_template(const TargetMeasurement& measured, const St
         return;
     }
     const auto pixel = aligned(measured, *frame.left.picture);
-    const auto ray = pixel ? rig_.left.unproject(*pixel) : std::nullopt;
-    if (!ray || ray->direction.z() < least_forward) {
+    const auto place =
+        pixel ? place_at_depth(rig_.left, *pixel, measured.point_in_rig_mm.z()) : std::nullopt;
+    if (!place) {
         return;
     }
-    const Eigen::Vector3d place =
-        ray->at((measured.point_in_rig_mm.z() - ray->origin_mm.z()) / ray->direction.z());
-    looks_->blend(rig_.left, *frame.left.picture, place, options_.blend_share);
-    if (measured.left.likeness >= options_.update_likeness ||
-        frames_since_update_ < options_.update_interval_frames) {
+    looks_->blend(rig_.left, *frame.left.picture, *place, options_.blend_share);
+    if (measured.left.likeness >= options_.update_likeness) {
         return;
     }
-    frames_since_update_ = 0;
     if (const auto cut = cut_anew(frame, measured, *pixel)) {
         looks_->add(*cut);
         ++estimate_.template_updates;
@@ -387,7 +382,7 @@ void StereoTracker::refresh_template(const TargetMeasurement& measured, const St
 
 void StereoTracker::miss(const std::string& why) {
     become(TrackState::lost, why);
-    surprise_px_ = std::max(surprise_px_, 1.0) * surprise_grows;
+    grow_surprise();
     if (frames_in_state_ >= options_.give_up_frames) {
         started_ = false;
         become(TrackState::template_set, "given up: " + why);

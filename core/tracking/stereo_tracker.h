@@ -87,6 +87,7 @@ class StereoTracker {
     double reach_px(std::int64_t time_ns) const;
     void adopt(const TargetMeasurement& measured, const StereoFrame& frame);
     void note_surprise(const TargetMeasurement& measured, const Eigen::Vector3d& expected);
+    void grow_surprise();
     void follow_change(const TargetMeasurement& measured);
     void judge(const TargetMeasurement& measured);
     void anchor(const Eigen::Vector3d& point_in_rig_mm);
@@ -107,7 +108,6 @@ class StereoTracker {
     bool measured_by_first_ = false;
     bool to_be_confirmed_ = false;  // it was not told from its likes in the last pair
     int frames_in_state_ = 0;
-    int frames_since_update_ = 0;
     std::optional<StereoFrame> last_frame_;
     std::optional<TargetMeasurement> last_measured_;
     std::optional<Eigen::Vector3d> sure_place_in_rig_mm_;  // when it was last Tracking

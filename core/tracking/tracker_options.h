@@ -25,7 +25,6 @@ struct TrackerOptions {
     double seen_likeness = 0.50;         ///< what is so alike is not lost, however probable
     double blend_share = 0.1;            ///< of a new picture in the mean of what was seen of late
     double update_agreement_px = 3.0;    ///< so far at most may the first template see it elsewhere
-    int update_interval_frames = 1;      ///< but no more often than this
     /// How fast a target may cross the picture while its motion is not known.
     double fastest_px_s = 400.0;
     /// How much it may grow and turn from one pair to the next: deviations, against which what is
