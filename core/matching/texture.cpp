@@ -6,14 +6,19 @@
 #include <cmath>
 #include <string>
 
+#include "core/matching/noise.h"
 #include "core/matching/score_map.h"
 
 namespace kambara {
 namespace {
 
 constexpr int smallest_side_px = 7;
-constexpr double least_contrast_grey = 2.5;
-constexpr double least_gradient_grey_px = 0.6;
+// Texture is what noise can't be: more than it by as much as its own scatter may well make of it.
+constexpr double least_contrast_grey = 0.8;
+constexpr double least_gradient_grey_px = 0.15;
+constexpr double least_noise_grey = 0.5;        // rounding's, and something of compression's
+constexpr double noise_in_contrast = 1 / 9.0;   // of its variance, in a 3 x 3 mean
+constexpr double noise_in_gradient = 1 / 27.0;  // likewise, in a central difference of such means
 
 double clamped(const Image& grey, int x, int y) {
     return grey.at(std::clamp(x, 0, grey.width() - 1), std::clamp(y, 0, grey.height() - 1));
@@ -32,6 +37,14 @@ double mean_3x3(const Image& grey, int x, int y) {
 double weaker_eigenvalue(const Eigen::Matrix2d& symmetric) {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(symmetric, Eigen::EigenvaluesOnly)
         .eigenvalues()[0];
+}
+
+// Whether a mean square over n pixels is more than the noise in it, beyond doubt and by enough. Of
+// the n only one in `alike` counts, neighbours having noise in common.
+bool stands_out(double mean_square, double of_noise, double least, double n, double alike) {
+    constexpr double deviations = 5.0;
+    const double scatter = of_noise * std::max(1.0, deviations * std::sqrt(2.0 * alike / n));
+    return mean_square - of_noise >= std::max(least * least, scatter);
 }
 
 // Zero-mean correlation of a part of a template; 0 over a flat patch.
@@ -91,12 +104,16 @@ Result<Done> check_template(const Image& grey, const Rectangle& r) {
                      "Choose at most 255 x 255 pixels; 31 x 31 is a good size."};
     }
     const Texture texture = texture_of(grey, r);
-    if (texture.contrast_grey < least_contrast_grey) {
+    const double n = static_cast<double>(r.width) * r.height;
+    const double noise = std::max(noise_grey(grey, r), least_noise_grey);
+    if (!stands_out(texture.contrast_grey * texture.contrast_grey,
+                    noise * noise * noise_in_contrast, least_contrast_grey, n, 9.0)) {
         return Error{"The template " + to_string(r) + " has no texture: its grey levels vary by " +
                          std::to_string(texture.contrast_grey) + ", noise included.",
                      "Choose a piece with marks or edges, or a larger one."};
     }
-    if (texture.weakest_gradient_grey_px < least_gradient_grey_px) {
+    if (!stands_out(texture.weakest_gradient_grey_px * texture.weakest_gradient_grey_px,
+                    noise * noise * noise_in_gradient, least_gradient_grey_px, n, 15.0)) {
         return Error{"The template " + to_string(r) +
                          " has texture in one direction only and would slide along it.",
                      "Include a corner, an end of the edge or another mark."};

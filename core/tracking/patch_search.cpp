@@ -9,6 +9,7 @@
 
 #include "core/matching/match_quality.h"
 #include "core/matching/matcher.h"
+#include "core/matching/noise.h"
 #include "core/matching/peak.h"
 #include "core/matching/score_map.h"
 #include "core/matching/similarity_fit.h"
@@ -156,6 +157,26 @@ void measure_change(PatchMatch& match, const RenderedPatch& drawn, const Image& 
     }
 }
 
+// What is said of the likenesses as it would be without the pictures' noise: else a target that is
+// only dimly seen would count as another thing.
+double freed_of_noise(PatchMatch& match, double whole_pixel_likeness, const RenderedPatch& drawn,
+                      const Image& grey, const MatchMethod& method) {
+    const Rectangle inner = drawn.inner();
+    const Eigen::Vector2d at = match.pixel - drawn.centre;
+    const Rectangle place{static_cast<int>(std::lround(at.x())),
+                          static_cast<int>(std::lround(at.y())), inner.width, inner.height};
+    const double kept = likeness_kept(method, drawn.picture, inner, grey, place);
+    if (match.distinctness < 1.0) {
+        match.distinctness /= kept;
+    }
+    if (match.rival) {
+        *match.rival /= kept;
+    }
+    match.likeness /= kept;
+    match.likeness_kept = kept;
+    return whole_pixel_likeness / kept;
+}
+
 // The quality of a refined match, whose rivals were seen when it was known to whole pixels.
 void weigh(PatchMatch& match, double whole_pixel_likeness, const MatchMethod& method) {
     MatchEvidence evidence{match.likeness, std::nullopt};
@@ -164,47 +185,27 @@ void weigh(PatchMatch& match, double whole_pixel_likeness, const MatchMethod& me
     }
     match.quality = match_probability(method, evidence);
     match.distinctness += match.likeness - whole_pixel_likeness;
+    match.likeness = std::min(match.likeness, 1.0);
     if (match.rival) {
         match.unrivalled = match_probability(method, {match.likeness, match.rival});
     }
 }
 
-}  // namespace
-
-std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camera& left,
-                                        const Camera& camera, const Image& grey,
-                                        const WindowScope& scope, const PatchSearchOptions& options,
-                                        SearchDetail* detail) {
-    const auto drawn = drawn_for(options.method, patch, left, camera, scope.expected_in_rig_mm);
-    if (!drawn) {
-        return std::nullopt;
-    }
-    auto found = match_drawn(*drawn, grey, scope.radius_px, scope.radius_px, options,
-                             scope.reach_px, detail);
-    if (!found) {
-        return std::nullopt;
-    }
-    PatchMatch& match = found->match;
-    const double whole_pixel_likeness = match.likeness;
-    const auto last = refine(match, patch, left, camera, grey, scope.expected_in_rig_mm, options);
-    if (last && options.measure_change) {
-        measure_change(match, *last, grey);
-    }
-    weigh(match, whole_pixel_likeness, options.method);
-    return match;
-}
-
-std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig& rig,
-                                          const Image& right_grey, const RangeBounds& bounds,
-                                          int band_px, const PatchSearchOptions& options) {
-    const auto curve = epipolar_curve(rig, patch.centre_px, bounds, chunk_px);
+// At each sample of the curve the patch is drawn for the distance there: carried to it from where
+// it was cut, or, of the same instant, cut at that distance.
+std::optional<PatchMatch> search_curve(const std::vector<EpipolarSample>& curve,
+                                       const ReferencePatch& patch, bool same_instant,
+                                       const Rig& rig, const Image& right_grey, int band_px,
+                                       const PatchSearchOptions& options) {
     std::optional<PatchMatch> best;
     Eigen::Vector3d best_place = Eigen::Vector3d::Zero();
     std::vector<std::pair<Eigen::Vector2d, double>> rivals;
     ReferencePatch tried = patch;
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const EpipolarSample& sample = curve[i];
-        tried.point_in_rig_mm = sample.point_in_rig_mm;
+        if (same_instant) {
+            tried.point_in_rig_mm = sample.point_in_rig_mm;
+        }
         const auto drawn =
             drawn_for(options.method, tried, rig.left, *rig.right, sample.point_in_rig_mm);
         const Eigen::Vector2i reach = reach_to_neighbours(curve, i, band_px);
@@ -230,11 +231,61 @@ std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig
         }
     }
     best->on_border = false;
-    tried.point_in_rig_mm = best_place;
-    const double whole_pixel_likeness = best->likeness;
-    refine(*best, tried, rig.left, *rig.right, right_grey, best_place, options);
+    if (same_instant) {
+        tried.point_in_rig_mm = best_place;
+    }
+    double whole_pixel_likeness = best->likeness;
+    const auto last = refine(*best, tried, rig.left, *rig.right, right_grey, best_place, options);
+    if (last) {
+        whole_pixel_likeness =
+            freed_of_noise(*best, whole_pixel_likeness, *last, right_grey, options.method);
+    }
     weigh(*best, whole_pixel_likeness, options.method);
     return best;
+}
+
+}  // namespace
+
+std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camera& left,
+                                        const Camera& camera, const Image& grey,
+                                        const WindowScope& scope, const PatchSearchOptions& options,
+                                        SearchDetail* detail) {
+    const auto drawn = drawn_for(options.method, patch, left, camera, scope.expected_in_rig_mm);
+    if (!drawn) {
+        return std::nullopt;
+    }
+    auto found = match_drawn(*drawn, grey, scope.radius_px, scope.radius_px, options,
+                             scope.reach_px, detail);
+    if (!found) {
+        return std::nullopt;
+    }
+    PatchMatch& match = found->match;
+    double whole_pixel_likeness = match.likeness;
+    const auto last = refine(match, patch, left, camera, grey, scope.expected_in_rig_mm, options);
+    if (last && options.measure_change) {
+        measure_change(match, *last, grey);
+    }
+    if (last) {
+        whole_pixel_likeness =
+            freed_of_noise(match, whole_pixel_likeness, *last, grey, options.method);
+    }
+    weigh(match, whole_pixel_likeness, options.method);
+    return match;
+}
+
+std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig& rig,
+                                          const Image& right_grey, const RangeBounds& bounds,
+                                          int band_px, const PatchSearchOptions& options) {
+    const auto curve = epipolar_curve(rig, patch.centre_px, bounds, chunk_px);
+    return search_curve(curve, patch, true, rig, right_grey, band_px, options);
+}
+
+std::optional<PatchMatch> search_epipolar_for(const ReferencePatch& look,
+                                              const Eigen::Vector2d& left_px, const Rig& rig,
+                                              const Image& right_grey, const RangeBounds& bounds,
+                                              int band_px, const PatchSearchOptions& options) {
+    const auto curve = epipolar_curve(rig, left_px, bounds, chunk_px);
+    return search_curve(curve, look, false, rig, right_grey, band_px, options);
 }
 
 }  // namespace kambara

@@ -22,7 +22,8 @@ struct MeasuredChange {
 struct PatchMatch {
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< of the reference point, sub-pixel
     Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
-    double likeness = 0.0;        ///< in [0, 1], by the measure alone (Matcher::quality)
+    double likeness = 0.0;        ///< in [0, 1], by the measure alone, as if without noise
+    double likeness_kept = 1.0;   ///< by the noise, of what it would be (noise.h)
     double quality = 0.0;         ///< the probability that it is right (match_quality.h)
     double distinctness = 1.0;    ///< likeness less that of the next best place; 1 if there is none
     std::optional<double> rival;  ///< likeness of another place in reach (rival.h), if any
@@ -35,7 +36,8 @@ struct PatchMatch {
 };
 
 struct PatchSearchOptions {
-    MatchMethod method;
+    /// What keeps a target longest in murky water, and costs nothing elsewhere (compare-methods).
+    MatchMethod method{Measure::zncc, Transform::gaussian};
     /// Standard deviation added to every match for what the patch's flatness leaves out.
     double floor_px = 0.03;
     bool measure_change = true;  ///< in window searches: how the target has turned and grown
@@ -64,5 +66,12 @@ std::optional<PatchMatch> search_window(const ReferencePatch& patch, const Camer
 std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig& rig,
                                           const Image& right_grey, const RangeBounds& bounds,
                                           int band_px, const PatchSearchOptions& options);
+
+/// Likewise along the curve of `left_px` for a look cut earlier, which is carried from its own
+/// place: with less noise than a patch of the same instant where it is the mean of many.
+std::optional<PatchMatch> search_epipolar_for(const ReferencePatch& look,
+                                              const Eigen::Vector2d& left_px, const Rig& rig,
+                                              const Image& right_grey, const RangeBounds& bounds,
+                                              int band_px, const PatchSearchOptions& options);
 
 }  // namespace kambara

@@ -90,8 +90,8 @@ Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectang
     here.covariance_px2 =
         options_.search.floor_px * options_.search.floor_px * Eigen::Matrix2d::Identity();
     auto detail = std::make_shared<SearchDetail>();
-    adopt(complete_from_left(rig_, options_, frame, SearchScope{looks_->first().point_in_rig_mm},
-                             here, detail.get()),
+    adopt(complete_from_left(rig_, options_, nullptr, frame,
+                             SearchScope{looks_->first().point_in_rig_mm}, here, detail.get()),
           frame);
     estimate_.search = std::move(detail);
     return Done{};
@@ -228,6 +228,11 @@ Eigen::Vector3d StereoTracker::expected_place(std::int64_t time_ns) const {
     return place_at_depth(rig_.left, nearest, last.z()).value_or(expected);
 }
 
+// So well that no other look could fit better: noise counts, since the mean of many has less.
+bool StereoTracker::fits_well(const PatchMatch& match) const {
+    return match.likeness * match.likeness_kept >= options_.good_enough_likeness;
+}
+
 // The first template decides unless a later one fits clearly better.
 std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame,
                                                         const SearchScope& scope) {
@@ -236,7 +241,7 @@ std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame
     std::size_t best_look = 0;
     double to_beat = quality_of(best) + preferred_by;
     for (const std::size_t look : looks_->later_by_use()) {
-        if (best && !best->ambiguous && best->left.likeness >= options_.good_enough_likeness) {
+        if (best && !best->ambiguous && fits_well(best->left)) {
             break;
         }
         auto other_detail = std::make_shared<SearchDetail>();
@@ -359,8 +364,7 @@ std::optional<Eigen::Vector2d> StereoTracker::aligned(const TargetMeasurement& m
 void StereoTracker::refresh_template(const TargetMeasurement& measured, const StereoFrame& frame) {
     const bool safe = estimate_.state == TrackState::tracking && (range_known_ || !rig_.right);
     // In stereo the first template fits for long, and the mean is begun when it no longer does.
-    const bool first_will_do =
-        rig_.right && measured_by_first_ && measured.left.likeness >= options_.good_enough_likeness;
+    const bool first_will_do = rig_.right && measured_by_first_ && fits_well(measured.left);
     if (!options_.automatic_update || !safe || first_will_do) {
         return;
     }

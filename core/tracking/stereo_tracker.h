@@ -82,6 +82,7 @@ class StereoTracker {
     bool started() const { return started_; }
 
   private:
+    bool fits_well(const PatchMatch& match) const;
     std::optional<TargetMeasurement> measure(const StereoFrame& frame, const SearchScope& scope);
     Eigen::Vector3d expected_place(std::int64_t time_ns) const;
     double reach_px(std::int64_t time_ns) const;

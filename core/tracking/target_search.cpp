@@ -92,30 +92,6 @@ RangeBounds bounds_about(const Rig& rig, const TrackerOptions& options,
     return bounds;
 }
 
-// The patch is cut anew from the left picture: both pictures show the same instant, so the two
-// sides differ by the change of view alone, and what the left match may be off by, the right one
-// is off by as well.
-std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& options,
-                                     const StereoFrame& frame, const PatchMatch& left,
-                                     const SearchScope& scope) {
-    const ReferencePatch patch{frame.left.picture, left.pixel, left.size_px,
-                               scope.expected_in_rig_mm};
-    const Image& grey = *frame.right.picture;
-    std::optional<PatchMatch> best;
-    if (scope.range_known) {
-        const double range_mm =
-            (scope.expected_in_rig_mm - rig.left.T_camera_from_rig.centre_mm()).norm();
-        best = search_epipolar(patch, rig, grey, bounds_about(rig, options, left.pixel, range_mm),
-                               options.band_px, options.search);
-        if (best && best->quality >= options.good_quality) {
-            return best;
-        }
-    }
-    auto anywhere =
-        search_epipolar(patch, rig, grey, options.range, options.band_px, options.search);
-    return !best || (anywhere && anywhere->quality > best->quality) ? anywhere : best;
-}
-
 // A target that is followed does not change its distance at a stroke: another place in the right
 // picture was taken for it.
 std::optional<std::string> leapt(const Rig& rig, const TrackerOptions& options,
@@ -131,6 +107,53 @@ std::optional<std::string> leapt(const Rig& rig, const TrackerOptions& options,
            " m";
 }
 
+bool leaps(const Rig& rig, const TrackerOptions& options, const SearchScope& scope,
+           const PatchMatch& left, const PatchMatch& right) {
+    const auto position = position_from_pair(rig, {left.pixel, left.covariance_px2},
+                                             {right.pixel, right.covariance_px2}, options.position);
+    return !position || leapt(rig, options, scope, *position);
+}
+
+// The patch is cut anew from the left picture: both pictures show the same instant, so the two
+// sides differ by the change of view alone, and what the left match may be off by, the right one
+// is off by as well.
+std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& options,
+                                     const ReferencePatch* look, const StereoFrame& frame,
+                                     const PatchMatch& left, const SearchScope& scope) {
+    const ReferencePatch patch{frame.left.picture, left.pixel, left.size_px,
+                               scope.expected_in_rig_mm};
+    const Image& grey = *frame.right.picture;
+    std::optional<PatchMatch> best;
+    if (scope.range_known) {
+        const double range_mm =
+            (scope.expected_in_rig_mm - rig.left.T_camera_from_rig.centre_mm()).norm();
+        best = search_epipolar(patch, rig, grey, bounds_about(rig, options, left.pixel, range_mm),
+                               options.band_px, options.search);
+        if (best && best->quality >= options.good_quality) {
+            return best;
+        }
+        // Two dim pictures may have too little in common where a look freed of noise has enough.
+        if (look != nullptr && left.likeness_kept < options.dim_likeness_kept) {
+            auto by_look = search_epipolar_for(*look, left.pixel, rig, grey,
+                                               bounds_about(rig, options, left.pixel, range_mm),
+                                               options.band_px, options.search);
+            if (by_look && (!best || by_look->quality > best->quality)) {
+                best = std::move(by_look);
+            }
+            if (best && best->quality >= options.good_quality) {
+                return best;
+            }
+        }
+    }
+    auto anywhere =
+        search_epipolar(patch, rig, grey, options.range, options.band_px, options.search);
+    if (best && (!anywhere || anywhere->quality <= best->quality ||
+                 leaps(rig, options, scope, left, *anywhere))) {
+        return best;
+    }
+    return anywhere;
+}
+
 }  // namespace
 
 bool says_nothing(const TrackerOptions& options, const PatchMatch& match) {
@@ -138,8 +161,9 @@ bool says_nothing(const TrackerOptions& options, const PatchMatch& match) {
 }
 
 TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
-                                     const StereoFrame& frame, const SearchScope& scope,
-                                     const PatchMatch& left, SearchDetail* detail) {
+                                     const ReferencePatch* look, const StereoFrame& frame,
+                                     const SearchScope& scope, const PatchMatch& left,
+                                     SearchDetail* detail) {
     TargetMeasurement result;
     result.left = left;
     result.quality = left.quality;
@@ -162,7 +186,7 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
             detail->epipolar_px.push_back(sample.right_px);
         }
     }
-    result.right = find_right(rig, options, frame, left, scope);
+    result.right = find_right(rig, options, look, frame, left, scope);
     if (!result.right || says_nothing(options, *result.right)) {
         result.right.reset();
         result.fault = "not found in the right picture";
@@ -197,7 +221,7 @@ std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOpti
     if (!left) {
         return std::nullopt;
     }
-    return complete_from_left(rig, options, frame, scope, *left, detail);
+    return complete_from_left(rig, options, &patch, frame, scope, *left, detail);
 }
 
 }  // namespace kambara

@@ -47,9 +47,11 @@ std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOpti
                                                const StereoFrame& frame, const SearchScope& scope,
                                                SearchDetail* detail = nullptr);
 
-/// The second half of the above, for a left match that is known already.
+/// The second half of the above, for a left match that is known already; `look` is what was found
+/// there, null where it was cut there.
 TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& options,
-                                     const StereoFrame& frame, const SearchScope& scope,
-                                     const PatchMatch& left, SearchDetail* detail = nullptr);
+                                     const ReferencePatch* look, const StereoFrame& frame,
+                                     const SearchScope& scope, const PatchMatch& left,
+                                     SearchDetail* detail = nullptr);
 
 }  // namespace kambara

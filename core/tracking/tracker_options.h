@@ -21,6 +21,7 @@ struct TrackerOptions {
     double unrivalled_quality = 0.65;    ///< at least this where another place in reach looks alike
     double least_distinctness = 0.03;    ///< of a match found without a prediction
     double good_enough_likeness = 0.95;  ///< of a look: no other is tried
+    double dim_likeness_kept = 0.95;     ///< less by noise: the right match may go by a look
     double update_likeness = 0.93;       ///< a fresh template is cut when all fit worse than this
     double seen_likeness = 0.50;         ///< what is so alike is not lost, however probable
     double blend_share = 0.1;            ///< of a new picture in the mean of what was seen of late

@@ -161,9 +161,11 @@ RigidTransform Scene::T_rig_from_target(double time_s) const {
         R = Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * R;
         return {R, place - R * middle_mm_};
     }
+    const double middle_mm = 0.5 * (profile_.farthest_mm + profile_.nearest_mm);
+    const double reach_mm = 0.5 * (profile_.farthest_mm - profile_.nearest_mm);
     const Eigen::Vector3d place(225.0 + 280.0 * wave(time_s, 10.0, phase_[0]),
                                 150.0 + 120.0 * wave(time_s, 7.0, phase_[1]),
-                                1950.0 + 600.0 * wave(time_s, 16.0, phase_[2]));
+                                middle_mm + reach_mm * wave(time_s, 16.0, phase_[2]));
     const double wobble = rad_from_deg(3.0);
     return {rotation_about_y(wobble * wave(time_s, 8.0, phase_[3])) *
                 rotation_about_x(wobble * wave(time_s, 11.0, phase_[4])),

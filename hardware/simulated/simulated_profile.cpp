@@ -13,8 +13,8 @@ namespace {
 Error refused(const std::string& cause) {
     return {cause,
             "Give default, chessboard or two-plane-24, and after a ? any of seed, noise, colour, "
-            "water, lamps, haze, veil, forward, blur, snow, particles, step, swap, frames, rate, "
-            "medium, target, as in default?seed=3&noise=1."};
+            "water, lamps, haze, veil, forward, blur, snow, particles, step, swap, nearest, "
+            "farthest, frames, rate, medium, target, as in default?seed=3&noise=1."};
 }
 
 // These and apply() give nothing when they took the value, else why they did not.
@@ -40,6 +40,15 @@ std::string read(std::string_view text, bool& flag) {
     }
     flag = text == "1";
     return {};
+}
+
+std::string read_metres(std::string_view text, double lowest, double highest, double& value_mm) {
+    double value_m = 0.0;
+    const std::string problem = read(text, lowest, highest, value_m);
+    if (problem.empty()) {
+        value_mm = 1e3 * value_m;
+    }
+    return problem;
 }
 
 std::string apply_water(std::string_view name, SimulatedProfile& profile) {
@@ -95,6 +104,12 @@ std::string apply(std::string_view key, std::string_view value, SimulatedProfile
     }
     if (key == "swap") {
         return read(value, 0, 1e6, profile.swap_s);
+    }
+    if (key == "nearest") {
+        return read_metres(value, 0.5, 20, profile.nearest_mm);
+    }
+    if (key == "farthest") {
+        return read_metres(value, 0.5, 20, profile.farthest_mm);
     }
     if (key == "particles") {
         return read(value, 0, 5000, profile.particles);
@@ -159,6 +174,9 @@ Result<SimulatedProfile> simulated_profile(std::string_view text) {
             return refused("The simulated profile's \"" + std::string(item) +
                            "\" can't be used: " + problem + ".");
         }
+    }
+    if (profile.nearest_mm > profile.farthest_mm) {
+        return refused("The simulated target's nearest distance lies beyond its farthest.");
     }
     return profile;
 }

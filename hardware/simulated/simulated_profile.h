@@ -34,6 +34,8 @@ struct SimulatedProfile {
     double step = 0.0;  ///< share of the light that is missing in every other 3 seconds
     double swap_s =
         0.0;  ///< after so many seconds another seabed lies behind, then the first again
+    double nearest_mm = 1350.0;   ///< of the moving target's path, along the rig's z axis
+    double farthest_mm = 2550.0;  ///< likewise
     std::int64_t frames = -1;  ///< the source ends after so many; -1: never
     /// A calibration target shown in still poses, a second each, instead of the moving target.
     std::optional<Target> calibration_target;
@@ -42,8 +44,8 @@ struct SimulatedProfile {
 /// Reads `NAME?key=value&key=value`. Names: default (a textured target on a smooth path),
 /// chessboard (9x6:30 unless target= says otherwise), two-plane-24. Keys: seed, noise, colour,
 /// lamps, water (clear, coastal, harbour: sets veil and medium and those between, each of which may
-/// be given as well), haze, veil, forward, blur, snow, particles, step, swap, frames, rate, medium
-/// (air, water), target.
+/// be given as well), haze, veil, forward, blur, snow, particles, step, swap, nearest, farthest,
+/// frames, rate, medium (air, water), target.
 Result<SimulatedProfile> simulated_profile(std::string_view text);
 
 }  // namespace kambara
