@@ -18,7 +18,7 @@
 namespace kambara::cli {
 namespace {
 
-constexpr double usual_seconds = 8.0;
+constexpr double usual_seconds = 7.0;  // the light goes at 3 s and is back at 6 s
 constexpr const char* stopped = "The comparison was stopped before it came to its end.";
 
 // A scene to be made when its turn comes, so that the pictures of one are in memory at a time.

@@ -18,7 +18,7 @@ struct CompareOptions {
     std::vector<std::string> templates;  ///< X,Y,W,H in the recording's first frame, a scene each
     std::string truth;                   ///< the recording's, as `simulate` writes it
     int template_px = 31;                ///< the square chosen on the simulated target
-    std::optional<double> seconds;       ///< of each scene; simulated ones 8, recordings whole
+    std::optional<double> seconds;       ///< of each scene; simulated ones 7, recordings whole
     bool sparse = false;   ///< every method also with every second pixel of every second row
     std::string temporal;  ///< median:N or mean:N over each scene's pictures; empty: as they are
     std::optional<std::filesystem::path> report;  ///< HTML to write

@@ -12,7 +12,7 @@ namespace kambara::cli {
 namespace {
 
 constexpr std::size_t timed_pairs = 21;  // while Tracking
-constexpr std::size_t tried_pairs = 60;
+constexpr std::size_t tried_pairs = 30;
 
 TrackerOptions options_with(const MatchMethod& method) {
     TrackerOptions options;

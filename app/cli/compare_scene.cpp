@@ -22,11 +22,11 @@ Frame frame_of(ImagePtr picture, std::int64_t index, std::int64_t time_ns) {
     return frame;
 }
 
-// The last two parts of a source's name, which tell recordings apart.
+// The last parts of a source's name, which tell recordings apart: sea/left/%06d.png.
 std::string short_name(const std::string& source) {
     const std::filesystem::path path(source);
-    const auto folder = path.parent_path().filename();
-    return folder.empty() ? path.filename().string() : (folder / path.filename()).string();
+    const auto folder = path.parent_path();
+    return (folder.parent_path().filename() / folder.filename() / path.filename()).string();
 }
 
 bool lasts_beyond(const std::optional<double>& seconds, std::int64_t first_ns,

@@ -100,24 +100,28 @@ std::string over_all(const std::vector<SceneResult>& results, std::size_t shippe
         return standing.method == shipped;
     });
     const auto rank = static_cast<std::size_t>(place - order.begin());
-    const std::string scenes = results.size() == 1
-                                   ? "In this scene"
-                                   : "Over the " + std::to_string(results.size()) + " scenes";
-    std::string text = "The default is " + label_at(results, shipped) + ". " + scenes +
-                       " it keeps the target in a mean of " + percent(place->robustness) +
-                       " of the frames, " + percent(place->worst) + " at worst, and takes " +
-                       milliseconds(place->ms) + ": " + rank_word(rank) + " of " +
-                       std::to_string(order.size()) + " methods.";
+    const bool one = results.size() == 1;
+    std::string text = "The default is " + label_at(results, shipped) + ". ";
+    text += one ? "Here it keeps the target in "
+                : "Over the " + std::to_string(results.size()) +
+                      " scenes it keeps the target in a mean of ";
+    text += percent(place->robustness) + " of the frames";
+    text += one ? "" : ", " + percent(place->worst) + " at worst";
+    text += ", and takes " + milliseconds(place->ms) + ": " + rank_word(rank) + " of " +
+            std::to_string(order.size()) + " methods.";
     const Standing& first = order.front();
     if (rank == 0) {
-        return text + " These numbers are what speaks for it.";
+        return text + " That speaks for it.";
     }
-    text += " First is " + label_at(results, first.method) + " with " + percent(first.robustness) +
-            " (" + percent(first.worst) + " at worst) in " + milliseconds(first.ms) + ".";
+    const std::string other = label_at(results, first.method);
     if (first.robustness <= place->robustness + equal_shares) {
-        return text + " Both are equally robust within the half per cent that counts as equal.";
+        return text + " None is more robust by half a per cent; of those equal to it, first is " +
+               other + " with " + milliseconds(first.ms) + ".";
     }
-    return text + " By this run alone, that would be the better default.";
+    text += " First is " + other + " with " + percent(first.robustness);
+    text += one ? "" : " (" + percent(first.worst) + " at worst)";
+    return text + " in " + milliseconds(first.ms) +
+           ". By this run alone, that would be the better default.";
 }
 
 std::string on_attenuation(const std::vector<SceneResult>& results, std::size_t shipped) {

@@ -175,7 +175,7 @@ void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
     CLI::App* c = app.add_subcommand(
         "compare-methods",
         "Every measure and transform side by side: robustness, accuracy, time. All six simulated "
-        "scenes take about six minutes on two cores");
+        "scenes take about five minutes on two cores");
     c->add_option("--scenes", o.scenes,
                   "A list of air, clear, coastal, harbour, turbid-0.5, turbid-1.5 (attenuation per "
                   "m, with particles, steps of light, the background swapped), water (all but "
@@ -196,7 +196,7 @@ void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
         ->capture_default_str()
         ->check(CLI::Range(0.1, 1000.0));
     c->add_option("--seconds", o.seconds,
-                  "Of each scene: 8 where it is simulated, and up to 600 frames of a recording")
+                  "Of each scene: 7 where it is simulated, and up to 600 frames of a recording")
         ->check(CLI::Range(0.1, 600.0));
     c->add_option("--template-size", o.template_px,
                   "Side of the square on the simulated target, px")
