@@ -44,7 +44,7 @@ std::string extent_of(const SceneResult& result) {
     std::string text = std::to_string(result.frames) +
                        (result.scene.rig.right ? " stereo pairs." : " pictures of one camera.");
     const auto& lengths = result.scene.attenuation_lengths;
-    if (!lengths.empty()) {
+    if (!lengths.empty() && *std::max_element(lengths.begin(), lengths.end()) > 0.0) {
         text += " Target and camera are " +
                 decimals(1, *std::min_element(lengths.begin(), lengths.end())) + " to " +
                 decimals(1, *std::max_element(lengths.begin(), lengths.end())) +
@@ -57,22 +57,24 @@ std::string extent_of(const SceneResult& result) {
 std::string explained(const SceneResult& result) {
     if (result.scene.has_truth()) {
         return "On target: Tracking, and within 3 px of the truth in every picture. Off target: "
-               "Tracking, but farther away. Errors: means over the frames on target.";
+               "Tracking, but farther away. Found: the best place in the left picture is on "
+               "target, "
+               "trusted or not. Errors: means over the frames on target.";
     }
     return "There is no truth. Kept: what the method itself says. There and back: followed "
            "forward and, by a fresh template from where it was last seen, back to within 3 px of "
            "the same places, which drift and leaps fail but a steady mistake may pass. Agrees: "
            "within 3 px of the median of all methods, which may err together. Apart: said to be "
-           "tracked, but farther from that median.";
+           "tracked, but farther from that median. Found: the best place agrees, trusted or not.";
 }
 
 Cells header_of(const SceneResult& result) {
     if (result.scene.has_truth()) {
-        return {"method",   "kept %",        "on target %", "off target %",
-                "error px", "range error %", "ms a pair"};
+        return {"method",  "kept %",   "on target %",   "off target %",
+                "found %", "error px", "range error %", "ms a pair"};
     }
-    return {"method",  "kept %",         "there+back %", "agrees %",
-            "apart %", "from median px", "ms a pair"};
+    return {"method",  "kept %",  "there+back %",   "agrees %",
+            "apart %", "found %", "from median px", "ms a pair"};
 }
 
 std::string label_in(const SceneResult& result, std::size_t i, const MatchMethod& shipped) {
@@ -83,7 +85,7 @@ Cells row_of(const SceneResult& result, std::size_t i, const MatchMethod& shippe
     const CompareScore& score = result.scores[i];
     const std::string label = label_in(result, i, shipped);
     if (result.runs[i].refused) {
-        return {label, "refused", "-", "-", "-", "-", "-"};
+        return {label, "refused", "-", "-", "-", "-", "-", "-"};
     }
     const std::string ms = decimals(2, result.runs[i].ms_median);
     if (result.scene.has_truth()) {
@@ -91,6 +93,7 @@ Cells row_of(const SceneResult& result, std::size_t i, const MatchMethod& shippe
                 percent(score.kept),
                 percent(score.on_target),
                 percent(score.off_target),
+                percent(score.found),
                 decimals(2, score.error_px),
                 decimals(3, score.range_error_pct),
                 ms};
@@ -100,6 +103,7 @@ Cells row_of(const SceneResult& result, std::size_t i, const MatchMethod& shippe
             percent(score.there_and_back.value_or(0.0)),
             percent(score.on_target),
             percent(score.off_target),
+            percent(score.found),
             decimals(2, score.error_px),
             ms};
 }
@@ -264,7 +268,7 @@ void add_scene(HtmlReport& report, const SceneResult& result, const MatchMethod&
                           : "Mean distance from the median of all methods",
                     "px", error, 2);
     }
-    report.bars("Median time of a pair while Tracking, one thread", "ms", time, 2);
+    report.bars("Median processor time of a pair while Tracking", "ms", time, 2);
 }
 
 }  // namespace
@@ -283,6 +287,7 @@ nlohmann::json compare_json(const std::vector<SceneResult>& results, const Match
             entry["kept_fraction"] = score.kept;
             entry["on_reference_fraction"] = score.on_target;
             entry["off_reference_fraction"] = score.off_target;
+            entry["found_fraction"] = score.found;
             entry["there_and_back_fraction"] =
                 score.there_and_back ? nlohmann::json(*score.there_and_back) : nlohmann::json();
             entry["error_mean_px"] = known(score.error_px);
@@ -349,7 +354,7 @@ std::string compare_html(const std::vector<SceneResult>& results, const MatchMet
     HtmlReport report("Matching methods side by side");
     report.paragraph(
         "One target is followed through the same pictures by every measure after every transform. "
-        "Times are of one thread, while nothing else runs.");
+        "Times are processor time of one thread while nothing else runs in the program.");
     report.heading("In short");
     for (const std::string& sentence : verdict_on(results, shipped)) {
         report.paragraph(sentence);

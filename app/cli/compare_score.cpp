@@ -105,6 +105,7 @@ CompareScore score_of(const CompareScene& scene, const CompareRun& run,
     double kept = 0.0;
     double off = 0.0;
     double back = 0.0;
+    double found = 0.0;
     Mean error_px;
     Mean range_error_pct;
     for (std::size_t i = 0; i < reference.size(); ++i) {
@@ -112,6 +113,11 @@ CompareScore score_of(const CompareScene& scene, const CompareRun& run,
             continue;
         }
         frames += 1.0;
+        const auto& best_px = i < run.best_left_px.size() ? run.best_left_px[i] : std::nullopt;
+        if (best_px && reference[i] &&
+            (*best_px - reference[i]->left_px).norm() <= on_target_within_px) {
+            found += 1.0;
+        }
         const auto& seen = run.seen[i];
         if (!seen) {
             continue;
@@ -136,6 +142,7 @@ CompareScore score_of(const CompareScene& scene, const CompareRun& run,
     score.kept = share_of(kept, frames);
     score.on_target = share_of(error_px.count, frames);
     score.off_target = share_of(off, frames);
+    score.found = share_of(found, frames);
     if (!truth) {
         score.there_and_back = share_of(back, frames);
     }

@@ -58,7 +58,9 @@ TEST(CompareScore, WithoutATruthTheMedianAndTheWayBackCount) {
     EXPECT_EQ(reference[0]->left_px, Eigen::Vector2d(11, 21));
     EXPECT_FALSE(reference[1]);  // two voices are no majority
     runs[0].seen_back = {Sighting{{10, 22}, {}, {}}, Sighting{{9, 9}, {}, {}}};
+    runs[0].best_left_px = {Eigen::Vector2d(11, 19), std::nullopt};
     const auto score = score_of(scene, runs[0], reference);
+    EXPECT_DOUBLE_EQ(score.found, 0.5);
     EXPECT_DOUBLE_EQ(score.kept, 1.0);
     EXPECT_DOUBLE_EQ(score.on_target, 0.5);
     EXPECT_DOUBLE_EQ(score.there_and_back.value(), 0.5);
