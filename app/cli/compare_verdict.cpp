@@ -50,7 +50,9 @@ std::optional<std::size_t> nearest_in(const SceneResult& result) {
 std::string how_near(const SceneResult& result, std::size_t shipped) {
     const double error = result.scores[shipped].range_error_pct;
     const auto nearest = nearest_in(result);
-    if (!result.scene.has_truth() || !std::isfinite(error) || !nearest) {
+    const bool robust =
+        robustness(result, shipped) >= robustness(result, best_in(result)) - equal_shares;
+    if (!result.scene.has_truth() || !robust || !std::isfinite(error) || !nearest) {
         return "";
     }
     char text[160];
