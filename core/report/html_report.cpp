@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 namespace kambara {
 namespace {
@@ -16,6 +17,11 @@ constexpr int value_width = 110;
 constexpr double square_side = 260.0;
 constexpr double square_left = 56.0;
 constexpr double square_top = 30.0;
+
+constexpr double lines_width = 460.0;
+constexpr double lines_height = 240.0;
+constexpr const char* line_colours[] = {"#2f6f9f", "#c4502b", "#3f8f5f", "#8a5fa8",
+                                        "#b58900", "#5f6b75", "#c2578f", "#1aa5a5"};
 
 constexpr const char* style =
     "body{font:15px/1.5 sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#1c2733}"
@@ -147,6 +153,64 @@ void HtmlReport::unit_square(std::string_view title, std::string_view across, st
             body_ += "<circle cx=\"" + x_of(point.x) + "\" cy=\"" + y_of(point.y) + "\" r=\"" +
                      number(radius, 1) + "\" fill=\"#2f6f9f\" fill-opacity=\".7\"/>";
         }
+    }
+    body_ += "</svg>\n";
+}
+
+void HtmlReport::lines(std::string_view title, std::string_view across, std::string_view up,
+                       double top, const std::vector<Series>& series) {
+    double farthest = 0.0;
+    for (const Series& one : series) {
+        for (const Point& point : one.points) {
+            farthest = std::max(farthest, std::isfinite(point.x) ? point.x : 0.0);
+        }
+    }
+    const double bottom = square_top + lines_height;
+    const double right = square_left + lines_width;
+    const auto x_of = [&](double x) {
+        return number(square_left + lines_width * x / std::max(farthest, 1e-9), 1);
+    };
+    const auto y_of = [&](double y) { return number(bottom - lines_height * y / top, 1); };
+    const auto text = [&](const std::string& x, const std::string& y, const std::string& more,
+                          std::string_view what) {
+        body_ +=
+            "<text x=\"" + x + "\" y=\"" + y + "\"" + more + ">" + html_escaped(what) + "</text>";
+    };
+    body_ += "<svg width=\"" + number(right + 220, 0) + "\" height=\"" + number(bottom + 44, 0) +
+             "\" role=\"img\">";
+    text("0", "14", " font-weight=\"bold\"", title);
+    for (int i = 0; i <= 5; ++i) {
+        const double mark = top * i / 5;
+        body_ += "<line x1=\"" + number(square_left, 1) + "\" y1=\"" + y_of(mark) + "\" x2=\"" +
+                 number(right, 1) + "\" y2=\"" + y_of(mark) + "\" stroke=\"#e4e9ee\"/>";
+        text(number(square_left - 8, 1), y_of(mark), " dy=\"4\" text-anchor=\"end\"",
+             number(mark, top < 5 ? 1 : 0));
+        text(x_of(farthest * i / 5), number(bottom + 16, 1), " text-anchor=\"middle\"",
+             number(farthest * i / 5, 1));
+    }
+    text(number(square_left + 0.5 * lines_width, 1), number(bottom + 34, 1),
+         " text-anchor=\"middle\"", across);
+    const std::string middle = number(square_top + 0.5 * lines_height, 1);
+    text("14", middle, " text-anchor=\"middle\" transform=\"rotate(-90 14 " + middle + ")\"", up);
+    double label_y = square_top + 10.0;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const std::string colour = line_colours[i % std::size(line_colours)];
+        std::string path;
+        bool drawing = false;
+        for (const Point& point : series[i].points) {
+            const bool known = std::isfinite(point.x) && std::isfinite(point.y);
+            if (known) {
+                path += (drawing ? "L" : "M") + x_of(point.x) + " " + y_of(point.y);
+                body_ += "<circle cx=\"" + x_of(point.x) + "\" cy=\"" + y_of(point.y) +
+                         "\" r=\"3\" fill=\"" + colour + "\"/>";
+            }
+            drawing = known;
+        }
+        body_ +=
+            "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"2\"/>";
+        text(number(right + 14, 1), number(label_y, 1), " fill=\"" + colour + "\"",
+             series[i].label);
+        label_y += 18.0;
     }
     body_ += "</svg>\n";
 }

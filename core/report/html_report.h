@@ -7,8 +7,8 @@
 
 namespace kambara {
 
-/// A page of results in one HTML file that needs no other: headings, paragraphs, tables, bar
-/// charts and point charts (as inline SVG), one after the other as they are added. All text is
+/// A page of results in one HTML file that needs no other: headings, paragraphs, tables, bar,
+/// point and line charts (as inline SVG), one after the other as they are added. All text is
 /// escaped.
 class HtmlReport {
   public:
@@ -38,6 +38,15 @@ class HtmlReport {
     /// beside what turned out, upwards.
     void unit_square(std::string_view title, std::string_view across, std::string_view up,
                      const std::vector<Point>& points);
+
+    struct Series {
+        std::string label;
+        std::vector<Point> points;  ///< a gap where a number is not finite; `share` is not used
+    };
+    /// Lines over x, which runs from 0 to the largest there is, and y, from 0 to `top`. At most
+    /// eight are told apart by their colours; the labels stand to the right.
+    void lines(std::string_view title, std::string_view across, std::string_view up, double top,
+               const std::vector<Series>& series);
 
     std::string text() const;
 

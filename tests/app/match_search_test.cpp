@@ -223,10 +223,11 @@ TEST(Temporal, TrackAndCompareTakeItAndRefuseOthers) {
     const Finished refused = run("median:99");
     EXPECT_EQ(refused.exit_code, 1);
     EXPECT_NE(refused.errors.find("median:99"), std::string::npos);
-    const Finished compared = run_program(KAMBARA_CLI,
-                                          {"compare-methods", "--profile", "default?particles=0",
-                                           "--frames", "2", "--temporal", "mean:2", "--json", "-"},
-                                          folder);
+    const Finished compared =
+        run_program(KAMBARA_CLI,
+                    {"compare-methods", "--profile", "default?particles=0", "--seconds", "0.1",
+                     "--temporal", "mean:2", "--json", "-"},
+                    folder);
     ASSERT_EQ(compared.exit_code, 0) << compared.errors;
     EXPECT_EQ(nlohmann::json::parse(compared.output)["temporal"], "mean:2");
     fs::remove_all(folder);

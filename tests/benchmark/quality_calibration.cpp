@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "app/cli/compare_scene.h"
+#include "app/cli/compare_run.h"
 #include "core/base/text_file.h"
 #include "core/report/html_report.h"
 #include "tests/benchmark/quality_study.h"
