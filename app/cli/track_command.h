@@ -18,7 +18,7 @@ struct TrackOptions {
     std::vector<std::string> templates;
     int steer = 1;  ///< the number of the target that the head is steered to
     std::string measure = "zncc";
-    std::string transform = "gauss";
+    std::string transform = "none";
     std::string temporal;  ///< median:N or mean:N; empty: the pictures as they are
     std::optional<std::filesystem::path> csv;
     std::optional<std::filesystem::path> record;

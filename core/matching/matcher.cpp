@@ -64,7 +64,8 @@ void Matcher::set_template(const Image& picture, const Rectangle& rectangle, con
     }
 }
 
-void Matcher::scores(const Image& picture, const Rectangle& positions, ScoreMap& map) {
+void Matcher::scores(const Image& picture, const Rectangle& positions, ScoreMap& map,
+                     TransformCache* cache) {
     if (method_.transform == Transform::none) {
         // Positions of the whole template, however few of its pixels count.
         const int right = std::min(positions.x + positions.width, picture.width() - width_ + 1);
@@ -83,6 +84,12 @@ void Matcher::scores(const Image& picture, const Rectangle& positions, ScoreMap&
         return;
     }
     const Rectangle region{left, top, right - left + width_ - 1, bottom - top + height_ - 1};
+    const Image* kept =
+        cache != nullptr ? cache->transformed(picture, method_.transform, region) : nullptr;
+    if (kept != nullptr) {
+        correlator_.scores(*kept, {left, top, right - left, bottom - top}, map);
+        return;
+    }
     transform_region(picture, region, method_.transform, region_);
     correlator_.scores(region_, {0, 0, right - left, bottom - top}, map);
     map.positions = {left, top, right - left, bottom - top};

@@ -6,6 +6,7 @@
 #include "core/matching/correlator.h"
 #include "core/matching/match_method.h"
 #include "core/matching/score_map.h"
+#include "core/matching/transform_cache.h"
 
 namespace kambara {
 
@@ -28,8 +29,10 @@ class Matcher {
     int height() const { return height_; }
 
     /// The scores over `positions` of the template's top-left pixel, clipped to where the template
-    /// and what its transform needs lie inside the picture.
-    void scores(const Image& picture, const Rectangle& positions, ScoreMap& map);
+    /// and what its transform needs lie inside the picture. With a cache that keeps the picture,
+    /// nothing of it is transformed twice.
+    void scores(const Image& picture, const Rectangle& positions, ScoreMap& map,
+                TransformCache* cache = nullptr);
 
     /// The cost that means no likeness at all; 1 for correlations. What quality() is measured by.
     double unlike() const { return unlike_; }

@@ -58,7 +58,7 @@ std::optional<Found> match_drawn(const RenderedPatch& drawn, const Image& grey, 
     const Rectangle positions{drawn.top_left.x() - across, drawn.top_left.y() - down,
                               2 * across + 1, 2 * down + 1};
     matcher.set_template(drawn.picture, inner, drawn.mask_or_null());
-    matcher.scores(grey, positions, map);
+    matcher.scores(grey, positions, map, options.transforms);
     const Measure measure = options.method.measure;
     const int apart = apart_px(inner.width, inner.height);
     const RivalScope scope{drawn.top_left.cast<double>(), reach_px, apart};
@@ -174,6 +174,8 @@ double freed_of_noise(PatchMatch& match, double whole_pixel_likeness, const Rend
     }
     match.likeness /= kept;
     match.likeness_kept = kept;
+    match.clearness =
+        likeness_kept({method.measure, Transform::none}, drawn.picture, inner, grey, place);
     return whole_pixel_likeness / kept;
 }
 

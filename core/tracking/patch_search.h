@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/matching/match_method.h"
+#include "core/matching/transform_cache.h"
 #include "core/tracking/epipolar_curve.h"
 #include "core/tracking/patch.h"
 #include "core/tracking/search_detail.h"
@@ -24,6 +25,7 @@ struct PatchMatch {
     Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
     double likeness = 0.0;        ///< in [0, 1], by the measure alone, as if without noise
     double likeness_kept = 1.0;   ///< by the noise, of what it would be (noise.h)
+    double clearness = 1.0;       ///< the same for pictures that are not transformed
     double quality = 0.0;         ///< the probability that it is right (match_quality.h)
     double distinctness = 1.0;    ///< likeness less that of the next best place; 1 if there is none
     std::optional<double> rival;  ///< likeness of another place in reach (rival.h), if any
@@ -36,11 +38,12 @@ struct PatchMatch {
 };
 
 struct PatchSearchOptions {
-    /// What keeps a target longest in murky water, and costs nothing elsewhere (compare-methods).
-    MatchMethod method{Measure::zncc, Transform::gaussian};
+    MatchMethod method;
     /// Standard deviation added to every match for what the patch's flatness leaves out.
     double floor_px = 0.03;
     bool measure_change = true;  ///< in window searches: how the target has turned and grown
+    /// What other searches of the same pictures have transformed; may be null.
+    TransformCache* transforms = nullptr;
 };
 
 /// Where to look in a window.

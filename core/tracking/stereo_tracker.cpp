@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/matching/noise.h"
 #include "core/matching/texture.h"
 
 namespace kambara {
@@ -60,8 +61,14 @@ void TrackEstimate::forget_place() {
     quality = 0.0;
 }
 
-StereoTracker::StereoTracker(Rig rig, TrackerOptions options)
-    : rig_(std::move(rig)), options_(options) {}
+StereoTracker::StereoTracker(Rig rig, TrackerOptions options,
+                             std::shared_ptr<TransformCache> transforms)
+    : rig_(std::move(rig)),
+      options_(options),
+      clear_method_(options.search.method),
+      transforms_(transforms ? std::move(transforms) : std::make_shared<TransformCache>()) {
+    options_.search.transforms = transforms_.get();
+}
 
 Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectangle& rectangle) {
     if (const auto fit = check_template(*frame.left.picture, rectangle); !fit) {
@@ -75,6 +82,8 @@ Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectang
                      "Choose a place nearer to the middle of the picture."};
     }
     clear();
+    transforms_->keep(frame.left.picture);
+    transforms_->keep(frame.right.picture);
     looks_.emplace(ReferencePatch{frame.left.picture,
                                   centre,
                                   Eigen::Vector2i(rectangle.width, rectangle.height),
@@ -87,6 +96,9 @@ Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectang
     here.likeness = 1.0;
     here.quality = 1.0;
     here.size_px = looks_->first().size_px;
+    const Image& grey = *frame.left.picture;
+    here.clearness = likeness_kept({}, grey, rectangle, grey, rectangle);
+    see_clearness(here);
     here.covariance_px2 =
         options_.search.floor_px * options_.search.floor_px * Eigen::Matrix2d::Identity();
     auto detail = std::make_shared<SearchDetail>();
@@ -119,6 +131,7 @@ void StereoTracker::clear() {
     sure_place_in_rig_mm_.reset();
     last_frame_.reset();
     predictor_.reset();
+    options_.search.method = clear_method_;
     range_known_ = false;
     started_ = false;
     place_unknown_ = false;
@@ -157,6 +170,8 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
         }
         return estimate_;
     }
+    transforms_->keep(frame.left.picture);
+    transforms_->keep(frame.right.picture);
     ++frames_in_state_;
     const bool lost = estimate_.state == TrackState::lost || place_unknown_;
     const bool everywhere = lost && frames_in_state_ % frames_between_full_searches == 1;
@@ -165,6 +180,9 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     const SearchScope scope{expected_place(frame.left.time_ns), range_known_, lost, everywhere,
                             reach_px(frame.left.time_ns)};
     const auto measured = measure(frame, scope);
+    if (measured) {
+        see_clearness(measured->left);
+    }
     estimate_.quality = measured ? measured->left.quality : 0.0;
     if (!measured) {
         place_unknown_ = false;  // from here on it is Lost, which looks everywhere as well
@@ -226,6 +244,18 @@ Eigen::Vector3d StereoTracker::expected_place(std::int64_t time_ns) const {
     const Eigen::Vector2d nearest =
         pixel ? Eigen::Vector2d(pixel->cwiseMax(half).cwiseMin(2.0 * middle - half)) : middle;
     return place_at_depth(rig_.left, nearest, last.z()).value_or(expected);
+}
+
+// Smoothing costs detail where there is no noise, and saves what there is where there is much.
+void StereoTracker::see_clearness(const PatchMatch& match) {
+    if (clear_method_ != MatchMethod{Measure::zncc, Transform::none, clear_method_.step}) {
+        return;
+    }
+    if (match.clearness < options_.dim_clearness) {
+        options_.search.method.transform = Transform::gaussian;
+    } else if (match.clearness > options_.clear_clearness) {
+        options_.search.method = clear_method_;
+    }
 }
 
 // So well that no other look could fit better: noise counts, since the mean of many has less.

@@ -61,7 +61,9 @@ struct TrackEstimate {
 /// of the rig's size.
 class StereoTracker {
   public:
-    explicit StereoTracker(Rig rig, TrackerOptions options = {});
+    /// Trackers of the same pictures may share what they have transformed of them.
+    explicit StereoTracker(Rig rig, TrackerOptions options = {},
+                           std::shared_ptr<TransformCache> transforms = nullptr);
 
     /// Cuts the template from the left picture and looks for it in the right one. A refused
     /// rectangle leaves an earlier template as it was.
@@ -82,6 +84,7 @@ class StereoTracker {
     bool started() const { return started_; }
 
   private:
+    void see_clearness(const PatchMatch& match);
     bool fits_well(const PatchMatch& match) const;
     std::optional<TargetMeasurement> measure(const StereoFrame& frame, const SearchScope& scope);
     Eigen::Vector3d expected_place(std::int64_t time_ns) const;
@@ -101,6 +104,8 @@ class StereoTracker {
 
     Rig rig_;
     TrackerOptions options_;
+    MatchMethod clear_method_;  // while noise is no trouble
+    std::shared_ptr<TransformCache> transforms_;
     TrackEstimate estimate_;
     std::optional<AppearanceBank> looks_;
     bool range_known_ = false;

@@ -133,7 +133,7 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
             return best;
         }
         // Two dim pictures may have too little in common where a look freed of noise has enough.
-        if (look != nullptr && left.likeness_kept < options.dim_likeness_kept) {
+        if (look != nullptr && left.clearness < options.clear_clearness) {
             auto by_look = search_epipolar_for(*look, left.pixel, rig, grey,
                                                bounds_about(rig, options, left.pixel, range_mm),
                                                options.band_px, options.search);

@@ -21,11 +21,14 @@ struct TrackerOptions {
     double unrivalled_quality = 0.65;    ///< at least this where another place in reach looks alike
     double least_distinctness = 0.03;    ///< of a match found without a prediction
     double good_enough_likeness = 0.95;  ///< of a look: no other is tried
-    double dim_likeness_kept = 0.95;     ///< less by noise: the right match may go by a look
-    double update_likeness = 0.93;       ///< a fresh template is cut when all fit worse than this
-    double seen_likeness = 0.50;         ///< what is so alike is not lost, however probable
-    double blend_share = 0.1;            ///< of a new picture in the mean of what was seen of late
-    double update_agreement_px = 3.0;    ///< so far at most may the first template see it elsewhere
+    /// Noise takes so much of the likeness that pictures are smoothed before they are compared, if
+    /// by zncc; and not any more.
+    double dim_clearness = 0.90;
+    double clear_clearness = 0.93;
+    double update_likeness = 0.93;     ///< a fresh template is cut when all fit worse than this
+    double seen_likeness = 0.50;       ///< what is so alike is not lost, however probable
+    double blend_share = 0.1;          ///< of a new picture in the mean of what was seen of late
+    double update_agreement_px = 3.0;  ///< so far at most may the first template see it elsewhere
     /// How fast a target may cross the picture while its motion is not known.
     double fastest_px_s = 400.0;
     /// How much it may grow and turn from one pair to the next: deviations, against which what is

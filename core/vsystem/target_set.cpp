@@ -81,7 +81,7 @@ Result<Done> TargetSet::set_template(std::optional<int> id, const StereoFrame& p
                      "Clear a target, then choose this one with its number."};
     }
     FollowedTarget* known = own(wanted);
-    FollowedTarget fresh{wanted, StereoTracker(rig_, options_), std::nullopt};
+    FollowedTarget fresh{wanted, StereoTracker(rig_, options_, transforms_), std::nullopt};
     FollowedTarget& target = known != nullptr ? *known : fresh;
     if (const auto done = target.tracker.set_template(pair, rectangle); !done) {
         return done;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -67,6 +68,7 @@ class TargetSet {
 
     Rig rig_;
     TrackerOptions options_;
+    std::shared_ptr<TransformCache> transforms_ = std::make_shared<TransformCache>();
     std::vector<FollowedTarget> targets_;
     int steered_ = 1;
     WorkerPool workers_;
