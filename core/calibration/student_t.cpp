@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace kambara {
 namespace {
@@ -31,27 +32,37 @@ double beta_fraction(double a, double b, double x) {
     return sum;
 }
 
-// The regularised incomplete beta function I_x(a, b), x and 1 - x given apart so that neither
+// ln(Gamma(a + 1/2) / Gamma(a)): for large a by its series, where the difference of two large
+// logarithms would lose digits.
+double log_gamma_ratio(double a) {
+    if (a < 1000.0) {
+        return std::lgamma(a + 0.5) - std::lgamma(a);
+    }
+    return 0.5 * std::log(a) - 1.0 / (8.0 * a) + 1.0 / (192.0 * a * a * a);
+}
+
+// The regularised incomplete beta function I_x(a, 1/2), x and 1 - x given apart so that neither
 // loses its digits.
-double incomplete_beta(double a, double b, double x, double one_minus_x) {
+double incomplete_beta_half(double a, double x, double one_minus_x) {
     if (x <= 0.0) {
         return 0.0;
     }
     if (one_minus_x <= 0.0) {
         return 1.0;
     }
-    const double front = std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) +
-                                  a * std::log(x) + b * std::log(one_minus_x));
-    if (x < (a + 1.0) / (a + b + 2.0)) {
-        return front * beta_fraction(a, b, x) / a;
+    const double log_x = one_minus_x < 0.5 ? std::log1p(-one_minus_x) : std::log(x);
+    const double front =
+        std::exp(log_gamma_ratio(a) + a * log_x) * std::sqrt(one_minus_x * std::numbers::inv_pi);
+    if (x < (a + 1.0) / (a + 2.5)) {
+        return front * beta_fraction(a, 0.5, x) / a;
     }
-    return 1.0 - front * beta_fraction(b, a, one_minus_x) / b;
+    return 1.0 - 2.0 * front * beta_fraction(0.5, a, one_minus_x);
 }
 
 // The probability beyond t >= 0.
 double upper_tail(double t, double degrees) {
     const double all = degrees + t * t;
-    return 0.5 * incomplete_beta(0.5 * degrees, 0.5, degrees / all, t * t / all);
+    return 0.5 * incomplete_beta_half(0.5 * degrees, degrees / all, t * t / all);
 }
 
 }  // namespace

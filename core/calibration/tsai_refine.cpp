@@ -8,6 +8,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/calibration/point_layout.h"
 #include "core/camera/lens_functions.h"
@@ -16,6 +17,18 @@ namespace kambara {
 namespace {
 
 using Parameters = std::array<double, tsai_parameters>;
+
+// How far a point is from where a pincushion lens turns back and the derivatives end: 1 on the
+// axis, 0 there; NaN beyond.
+double before_the_turn(double f_mm, double kappa, double x, double y) {
+    const double w = tsai_squared_distorted_radius(kappa, f_mm * f_mm * (x * x + y * y));
+    return 1.0 + 3.0 * kappa * w;
+}
+
+// A step is tried with plain numbers first: what is just good enough then must be so again with
+// derivatives, whose last digits differ.
+template <class T>
+constexpr double least_before_the_turn = std::is_same_v<T, double> ? 2e-6 : 1e-6;
 
 struct PointResidual {
     Eigen::Vector3d turned_mm;  // by the rotation at the start
@@ -37,11 +50,15 @@ struct PointResidual {
         }
         const T x = in_camera[0] / in_camera[2];
         const T y = in_camera[1] / in_camera[2];
+        if (!(before_the_turn(value_of(parameters[tsai::f]), value_of(parameters[tsai::kappa1]),
+                              value_of(x), value_of(y)) > least_before_the_turn<T>)) {
+            return false;
+        }
         T pixel[2];
         tsai_pixel(parameters + tsai::f, dx_prime_mm, dy_mm, x, y, pixel);
         residual[0] = pixel[0] - seen_px.x();
         residual[1] = pixel[1] - seen_px.y();
-        return std::isfinite(value_of(residual[0])) && std::isfinite(value_of(residual[1]));
+        return true;
     }
 };
 
@@ -112,6 +129,10 @@ TsaiMask without_s_x(TsaiMask free) {
 
 std::optional<TsaiView> refined(const TsaiView& start, const std::vector<SeenPoint>& points,
                                 const TsaiMask& free) {
+    // Ceres writes to the log where a start can't be evaluated; that is asked before.
+    if (!tsai_jacobian(start, points)) {
+        return std::nullopt;
+    }
     // About the points' mean, a turn and a shift are nearly independent of each other.
     const Eigen::Vector3d mean = layout_of(points).mean_mm;
     const TsaiView start_about = about(start, mean);
@@ -129,10 +150,6 @@ std::optional<TsaiView> refined(const TsaiView& start, const std::vector<SeenPoi
     }
     if (!fixed.empty()) {
         problem.SetManifold(parameters.data(), new ceres::SubsetManifold(tsai_parameters, fixed));
-    }
-    // Ceres writes to the log where a start can't be evaluated; that is asked before.
-    if (!std::isfinite(squared_error_px2(start, points))) {
-        return std::nullopt;
     }
     ceres::Solver::Summary summary;
     ceres::Solve(solver_options(), &problem, &summary);
