@@ -111,7 +111,7 @@ TsaiView about(TsaiView view, const Eigen::Vector3d& by) {
 ceres::Solver::Options solver_options() {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = 200;
+    options.max_num_iterations = 100;
     options.function_tolerance = 1e-15;
     options.parameter_tolerance = 1e-15;
     options.gradient_tolerance = 1e-15;

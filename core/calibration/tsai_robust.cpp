@@ -69,6 +69,10 @@ int unknowns(const TsaiFitOptions& options) {
     return static_cast<int>(std::count(told.begin(), told.end(), true));
 }
 
+double least_noise_px(const std::vector<SeenPoint>& points) {
+    return least_noise_of_extent * extent_px(points);
+}
+
 // The noise of a coordinate from the median squared length (two Gaussian coordinates: 2 ln 2
 // sigma^2), with what the fit itself takes up of it.
 double median_noise_px(const std::vector<double>& squares, int parameters, double least_px) {
@@ -163,7 +167,7 @@ std::vector<double> tail_probabilities(const TsaiView& view, const std::vector<S
         return tails;
     }
     const double sum = squared_error_px2(view, chosen(points, inliers));
-    const double floor = std::pow(least_noise_of_extent * extent_px(points), 2);
+    const double floor = std::pow(least_noise_px(points), 2);
     const std::set<int> inside(inliers.begin(), inliers.end());
     const auto residuals = residuals_px(view, points);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -223,49 +227,59 @@ std::optional<Settled> settled(TsaiView view, Indices inliers, const std::vector
     return Settled{view, inliers};
 }
 
+// True where a fit over all the points leaves nothing but what noise would.
+bool only_noise(const std::optional<TsaiView>& view, const std::vector<SeenPoint>& points,
+                const TsaiFitOptions& options) {
+    if (!view) {
+        return false;
+    }
+    const auto squares = squared_lengths(*view, points);
+    const double noise_px = median_noise_px(squares, unknowns(options), least_noise_px(points));
+    return noise_px <= suspicious_noise_px && *std::max_element(squares.begin(), squares.end()) <=
+                                                  largest_by_noise(noise_px, points.size());
+}
+
+// The points that a trimmed fit leaves within the noise of its middle ones.
+Indices agreeing_points(const std::vector<SeenPoint>& points, const TsaiFitOptions& options) {
+    const auto view = trimmed_fit(points, options);
+    Indices agreeing;
+    if (!view) {
+        return agreeing;
+    }
+    const auto squares = squared_lengths(*view, points);
+    const double limit = largest_by_noise(
+        median_noise_px(squares, unknowns(options), least_noise_px(points)), points.size());
+    for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+        if (squares[static_cast<std::size_t>(i)] <= limit) {
+            agreeing.push_back(i);
+        }
+    }
+    return agreeing;
+}
+
 }  // namespace
 
 std::optional<RobustFit> robust_fit(const std::vector<SeenPoint>& points,
                                     const TsaiFitOptions& asked) {
     TsaiFitOptions options = asked;
     options.method = TsaiMethod::full;
-    const double least_px = least_noise_of_extent * extent_px(points);
     RobustFit result;
     std::optional<TsaiView> view = fit(points, options);
     Indices inliers = all_of(points);
-    result.suspicious = true;
-    if (view) {
-        const auto squares = squared_lengths(*view, points);
-        const double noise_px = median_noise_px(squares, unknowns(options), least_px);
-        result.suspicious =
-            noise_px > suspicious_noise_px || *std::max_element(squares.begin(), squares.end()) >
-                                                  largest_by_noise(noise_px, points.size());
-    }
+    result.suspicious = !only_noise(view, points, options);
     if (result.suspicious) {
-        view = trimmed_fit(points, options);
-        if (!view) {
-            return std::nullopt;
-        }
-        const auto squares = squared_lengths(*view, points);
-        const double limit =
-            largest_by_noise(median_noise_px(squares, unknowns(options), least_px), points.size());
-        inliers.clear();
-        for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-            if (squares[static_cast<std::size_t>(i)] <= limit) {
-                inliers.push_back(i);
-            }
-        }
-        view = fit(chosen(points, inliers), options);
-        if (!view) {
-            return std::nullopt;
-        }
+        options.search_distance = false;  // on few points a search finds a camera for anything
+        inliers = agreeing_points(points, options);
+        view = inliers.size() < 7 ? std::nullopt : fit(chosen(points, inliers), options);
     }
-    const auto end = settled(*view, inliers, points, options);
+    const auto end = view ? settled(*view, inliers, points, options) : std::nullopt;
     if (!end) {
         return std::nullopt;
     }
     result.view = end->view;
     result.inliers = end->inliers;
+    result.suspicious =
+        result.suspicious || perhaps_mirrored(chosen(points, end->inliers), options);
     const std::set<int> inside(end->inliers.begin(), end->inliers.end());
     for (int i = 0; i < static_cast<int>(points.size()); ++i) {
         if (!inside.contains(i)) {

@@ -109,7 +109,7 @@ TEST_F(TsaiRefusal, PixelsThatHaveNothingToDoWithThePoints) {
 
 TEST(TsaiHandedness, ALeftHandedWorldIsSaid) {
     Random random(21);
-    for (int run = 0; run < 60; ++run) {
+    for (int run = 0; run < 15; ++run) {
         TsaiScene scene = target_at(random, uniform(random, 700.0, 1500.0));
         scene.points = with_noise(scene.points, 0.05, random);
         for (SeenPoint& point : scene.points) {
@@ -121,7 +121,7 @@ TEST(TsaiHandedness, ALeftHandedWorldIsSaid) {
 
 TEST(TsaiHandedness, AMirroredPictureIsSaidEvenWithWrongLines) {
     Random random(22);
-    for (int run = 0; run < 10; ++run) {
+    for (int run = 0; run < 6; ++run) {
         TsaiScene scene = target_at(random, 1000.0);
         scene.points = with_noise(scene.points, 0.1, random);
         for (SeenPoint& point : scene.points) {
@@ -132,6 +132,38 @@ TEST(TsaiHandedness, AMirroredPictureIsSaidEvenWithWrongLines) {
                                                    uniform(random, 0, 479)};
         }
         expect_refused(scene.points, scene.options, "mirrored");
+    }
+}
+
+// Hardly any depth, a strong lens and a centre off: the linear stage takes it for mirrored, the
+// comparison does not.
+TEST(TsaiHandedness, AFlatTargetIsNotTakenForAMirroredOne) {
+    Random random(23);
+    for (int run = 0; run < 20; ++run) {
+        TsaiScene scene;
+        TsaiLens& lens = scene.truth.lens;
+        lens = {6.0 * uniform(random, 1.0, 3.0),  0.0, 320.0 + uniform(random, -15, 15),
+                240.0 + uniform(random, -15, 15), 1.0, {0.01, 0.01, 640, 640}};
+        lens.kappa1_per_mm2 = uniform(random, 0.1, 0.3) / 16.0;
+        scene.options.sensor = lens.sensor;
+        scene.options.cx_px = 320.0;
+        scene.options.cy_px = 240.0;
+        scene.truth.T_camera_from_world.t_mm = {0, 0, 1000};
+        while (scene.points.size() < 60) {
+            const Eigen::Vector3d point(uniform(random, -300, 300), uniform(random, -200, 200),
+                                        uniform(random, -20, 20));
+            const auto pixel = project(lens, scene.truth.T_camera_from_world * point);
+            if (pixel) {
+                scene.points.push_back({point, *pixel});
+            }
+        }
+        const auto report = calibrate_tsai(scene.points, scene.options);
+        ASSERT_TRUE(report) << run << ": " << report.error().text();
+        EXPECT_NEAR(report->view.lens.f_mm, lens.f_mm, 1e-6) << run;
+        for (SeenPoint& point : scene.points) {
+            point.in_world_mm.x() *= -1.0;
+        }
+        expect_refused(scene.points, scene.options, "left-handed");
     }
 }
 
