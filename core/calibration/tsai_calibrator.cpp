@@ -126,7 +126,6 @@ Result<TsaiReport> calibrate_tsai(const std::vector<SeenPoint>& points, const Ts
     fit_options.given.sensor = options.sensor;
     fit_options.method = options.method;
     fit_options.coplanar = options.coplanar;
-    fit_options.search_distance = true;
     const auto found = agreeing(points, fit_options);
     if (!found) {
         return found.error();

@@ -10,16 +10,11 @@
 namespace kambara {
 namespace {
 
-TsaiStart linear_stage(const std::vector<SeenPoint>& points, const TsaiFitOptions& options) {
-    return options.coplanar ? tsai_linear_coplanar(points, options.given, options.search_distance)
-                            : tsai_linear(points, options.given, options.search_distance);
-}
-
-// The candidates that project every point, the best first.
-std::vector<TsaiView> sorted(const std::vector<TsaiView>& candidates,
-                             const std::vector<SeenPoint>& points) {
+// The linear stage's candidates that project every point, the best first.
+std::vector<TsaiView> starts(const std::vector<SeenPoint>& points, const TsaiFitOptions& options) {
     std::vector<std::pair<double, TsaiView>> rated;
-    for (const TsaiView& view : candidates) {
+    for (const TsaiView& view : options.coplanar ? tsai_linear_coplanar(points, options.given)
+                                                 : tsai_linear(points, options.given)) {
         const double error = squared_error_px2(view, points);
         if (std::isfinite(error)) {
             rated.emplace_back(error, view);
@@ -27,11 +22,11 @@ std::vector<TsaiView> sorted(const std::vector<TsaiView>& candidates,
     }
     std::stable_sort(rated.begin(), rated.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<TsaiView> views;
+    std::vector<TsaiView> sorted;
     for (const auto& one : rated) {
-        views.push_back(one.second);
+        sorted.push_back(one.second);
     }
-    return views;
+    return sorted;
 }
 
 // The better of two, of which one may not be there.
@@ -50,17 +45,13 @@ TsaiMask told_parameters(const TsaiFitOptions& options) {
 
 std::optional<TsaiView> linear_fit(const std::vector<SeenPoint>& points,
                                    const TsaiFitOptions& options) {
-    const auto candidates = sorted(linear_stage(points, options).candidates, points);
+    const auto candidates = starts(points, options);
     return candidates.empty() ? std::nullopt : std::optional(candidates.front());
-}
-
-bool perhaps_mirrored(const std::vector<SeenPoint>& points, const TsaiFitOptions& options) {
-    return !options.coplanar && linear_stage(points, options).perhaps_mirrored;
 }
 
 std::optional<TsaiView> fit(const std::vector<SeenPoint>& points, const TsaiFitOptions& options) {
     std::optional<TsaiView> best;
-    for (const TsaiView& candidate : sorted(linear_stage(points, options).candidates, points)) {
+    for (const TsaiView& candidate : starts(points, options)) {
         keep_better(best, refined(candidate, points, tsai_focal), points);
         if (best && options.method == TsaiMethod::full) {
             break;  // what follows forgets which start it had

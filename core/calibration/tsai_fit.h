@@ -17,7 +17,6 @@ struct TsaiFitOptions {
     TsaiLens given;  ///< the sensor, the centre to start from, and s_x for a plane
     TsaiMethod method = TsaiMethod::full;
     bool coplanar = false;
-    bool search_distance = false;  ///< where the linear stage alone finds no camera
 };
 
 /// The parameters that points of this layout can tell.
@@ -31,18 +30,13 @@ std::optional<TsaiView> linear_fit(const std::vector<SeenPoint>& points,
 /// spoils it. Empty where the linear stage finds no camera.
 std::optional<TsaiView> fit(const std::vector<SeenPoint>& points, const TsaiFitOptions& options);
 
-/// The linear stage leaves it open whether the points are mirrored (TsaiStart::perhaps_mirrored).
-bool perhaps_mirrored(const std::vector<SeenPoint>& points, const TsaiFitOptions& options);
-
 /// A fit over the points that agree, and which those are.
 struct RobustFit {
     TsaiView view;
     std::vector<int> inliers;
     std::vector<int> outliers;
-    /// The fit over all the points did not look like noise alone, or the linear stage leaves it
-    /// open whether they are mirrored.
-    bool suspicious = false;
-    double median_px = 0.0;  ///< of all the points' residual lengths
+    bool suspicious = false;  ///< the fit over all the points did not look like noise alone
+    double median_px = 0.0;   ///< of all the points' residual lengths
 };
 
 /// As above, whatever up to two fifths of the points are: where all the points together don't fit,

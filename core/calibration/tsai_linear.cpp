@@ -4,9 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <utility>
 
 #include "core/calibration/point_layout.h"
 
@@ -206,102 +204,46 @@ std::optional<Depth> depth_of(const Aligned& found, bool with_kappa) {
     return Depth{(*solution)[0], (*solution)[1], with_kappa ? (*solution)[2] : 0.0};
 }
 
-// For distances from close before the points to far away: f and kappa1 by least squares, linear
-// once the distance is given; the distance at which they fit best.
-std::optional<Depth> searched_depth(const Aligned& found) {
-    const auto n = found.points.world_mm.cols();
-    Eigen::Matrix3Xd turned = found.R * found.points.world_mm;
-    turned.row(0).array() += found.tx_mm;
-    turned.row(1).array() += found.ty_mm;
-    const double nearest = turned.row(2).minCoeff();
-    const double size = (turned.rowwise().maxCoeff() - turned.rowwise().minCoeff()).norm();
-    const Eigen::RowVectorXd r2 = found.points.sensor_mm.colwise().squaredNorm();
-    std::optional<Depth> best;
-    double best_error = std::numeric_limits<double>::infinity();
-    for (int step = -4; step <= 20; ++step) {
-        const double tz = size * std::pow(2.0, 0.5 * step) - nearest;
-        const Eigen::RowVectorXd z = turned.row(2).array() + tz;
-        Eigen::MatrixXd A(2 * n, 2);
-        Eigen::VectorXd b(2 * n);
-        for (int axis = 0; axis < 2; ++axis) {
-            const Eigen::RowVectorXd seen = found.points.sensor_mm.row(axis);
-            A.col(0).segment(axis * n, n) = turned.row(axis).cwiseQuotient(z).transpose();
-            A.col(1).segment(axis * n, n) = -seen.cwiseProduct(r2).transpose();
-            b.segment(axis * n, n) = seen.transpose();
-        }
-        const auto solution = solved(A, b);
-        if (!solution || !((*solution)[0] > 0.0)) {
+void add_candidates(const Aligned& found, const TsaiLens& given,
+                    std::vector<TsaiView>& candidates) {
+    for (const bool with_kappa : {false, true}) {
+        const auto depth = depth_of(found, with_kappa);
+        if (!depth || !(depth->f_mm > 0.0)) {
             continue;
         }
-        const double error = (A * *solution - b).squaredNorm();
-        if (error < best_error) {
-            best_error = error;
-            best = Depth{(*solution)[0], tz, (*solution)[1]};
+        const Eigen::RowVectorXd z =
+            (found.R.row(2) * found.points.world_mm).array() + depth->tz_mm;
+        if (!(z.minCoeff() > 0.0)) {
+            continue;
         }
+        TsaiView view;
+        view.lens = given;
+        view.lens.f_mm = depth->f_mm;
+        view.lens.kappa1_per_mm2 = depth->kappa1_per_mm2;
+        view.lens.sx = given.sx * found.sx;
+        view.T_camera_from_world.R = found.R;
+        view.T_camera_from_world.t_mm = Eigen::Vector3d(found.tx_mm, found.ty_mm, depth->tz_mm) -
+                                        found.R * found.points.origin_mm;
+        candidates.push_back(view);
     }
-    return best;
-}
-
-// Empty where the depth puts f or a point behind the camera.
-std::optional<TsaiView> view_of(const Aligned& found, const std::optional<Depth>& depth,
-                                const TsaiLens& given) {
-    if (!depth || !(depth->f_mm > 0.0)) {
-        return std::nullopt;
-    }
-    const Eigen::RowVectorXd z = (found.R.row(2) * found.points.world_mm).array() + depth->tz_mm;
-    if (!(z.minCoeff() > 0.0)) {
-        return std::nullopt;
-    }
-    TsaiView view;
-    view.lens = given;
-    view.lens.f_mm = depth->f_mm;
-    view.lens.kappa1_per_mm2 = depth->kappa1_per_mm2;
-    view.lens.sx = given.sx * found.sx;
-    view.T_camera_from_world.R = found.R;
-    view.T_camera_from_world.t_mm =
-        Eigen::Vector3d(found.tx_mm, found.ty_mm, depth->tz_mm) - found.R * found.points.origin_mm;
-    return view;
-}
-
-TsaiStart start_from(const std::vector<Aligned>& aligned_ones, const TsaiLens& given,
-                     bool search_distance) {
-    TsaiStart start;
-    for (const Aligned& found : aligned_ones) {
-        for (const bool with_kappa : {false, true}) {
-            if (const auto view = view_of(found, depth_of(found, with_kappa), given)) {
-                start.candidates.push_back(*view);
-            }
-        }
-    }
-    start.perhaps_mirrored = start.candidates.empty();
-    if (!start.perhaps_mirrored || !search_distance) {
-        return start;
-    }
-    for (const Aligned& found : aligned_ones) {
-        if (const auto view = view_of(found, searched_depth(found), given)) {
-            start.candidates.push_back(*view);
-        }
-    }
-    return start;
 }
 
 }  // namespace
 
-TsaiStart tsai_linear(const std::vector<SeenPoint>& points, const TsaiLens& given,
-                      bool search_distance) {
+std::vector<TsaiView> tsai_linear(const std::vector<SeenPoint>& points, const TsaiLens& given) {
     TsaiLens bare = given;
     bare.sx = 1.0;  // it is found anew
-    std::vector<Aligned> all;
+    std::vector<TsaiView> candidates;
     for (const Moved& about : moved(points, bare)) {
-        if (auto found = aligned(about)) {
-            all.push_back(std::move(*found));
+        if (const auto found = aligned(about)) {
+            add_candidates(*found, bare, candidates);
         }
     }
-    return start_from(all, bare, search_distance);
+    return candidates;
 }
 
-TsaiStart tsai_linear_coplanar(const std::vector<SeenPoint>& points, const TsaiLens& given,
-                               bool search_distance) {
+std::vector<TsaiView> tsai_linear_coplanar(const std::vector<SeenPoint>& points,
+                                           const TsaiLens& given) {
     const PointLayout layout = layout_of(points);
     const RigidTransform T_plane_from_world{layout.axes.transpose(),
                                             -(layout.axes.transpose() * layout.mean_mm)};
@@ -309,18 +251,17 @@ TsaiStart tsai_linear_coplanar(const std::vector<SeenPoint>& points, const TsaiL
     for (SeenPoint& point : on_plane) {
         point.in_world_mm = T_plane_from_world * point.in_world_mm;
     }
-    std::vector<Aligned> all;
+    std::vector<TsaiView> candidates;
     for (Moved& about : moved(on_plane, given)) {
         about.sensor_mm.row(0) /= given.sx;
-        for (Aligned& found : aligned_on_plane(std::move(about))) {
-            all.push_back(std::move(found));
+        for (const Aligned& found : aligned_on_plane(std::move(about))) {
+            add_candidates(found, given, candidates);
         }
     }
-    TsaiStart start = start_from(all, given, search_distance);
-    for (TsaiView& view : start.candidates) {
+    for (TsaiView& view : candidates) {
         view.T_camera_from_world = view.T_camera_from_world * T_plane_from_world;
     }
-    return start;
+    return candidates;
 }
 
 }  // namespace kambara

@@ -16,24 +16,16 @@ namespace kambara {
 /// centre, and back again. Which one matters a little, for the equations' noise is not evenly
 /// weighted: the outermost point of each quarter of the picture is tried.
 ///
-/// Needs 7 points, not on one plane.
-struct TsaiStart {
-    /// Each before all the points: of every origin one with kappa1 = 0 and one with kappa1 taken
-    /// along. None where the points do not determine a camera.
-    std::vector<TsaiView> candidates;
-    /// f came out negative from every origin, which is what a left-handed world or a mirrored
-    /// picture comes to, but also a flat target through a strong lens. There is no candidate then,
-    /// or, where that is asked for, what a search over the distance finds: to be compared with what
-    /// the mirrored points give.
-    bool perhaps_mirrored = false;
-};
-TsaiStart tsai_linear(const std::vector<SeenPoint>& points, const TsaiLens& given,
-                      bool search_distance = false);
+/// Gives candidates, each before all the points: of every origin one with kappa1 = 0 and one with
+/// kappa1 taken along. None where the points do not determine a camera, or only one with f < 0,
+/// which is what a left-handed world or a mirrored picture comes to. Needs 7 points, not on one
+/// plane.
+std::vector<TsaiView> tsai_linear(const std::vector<SeenPoint>& points, const TsaiLens& given);
 
 /// The same for points on one plane, wherever that is in the world; s_x can't be told and is kept.
 /// Needs 5 points, not on one line. A plane tells nothing about mirrors: mirrored, it is the same
 /// plane seen from behind.
-TsaiStart tsai_linear_coplanar(const std::vector<SeenPoint>& points, const TsaiLens& given,
-                               bool search_distance = false);
+std::vector<TsaiView> tsai_linear_coplanar(const std::vector<SeenPoint>& points,
+                                           const TsaiLens& given);
 
 }  // namespace kambara

@@ -268,7 +268,6 @@ std::optional<RobustFit> robust_fit(const std::vector<SeenPoint>& points,
     Indices inliers = all_of(points);
     result.suspicious = !only_noise(view, points, options);
     if (result.suspicious) {
-        options.search_distance = false;  // on few points a search finds a camera for anything
         inliers = agreeing_points(points, options);
         view = inliers.size() < 7 ? std::nullopt : fit(chosen(points, inliers), options);
     }
@@ -278,8 +277,6 @@ std::optional<RobustFit> robust_fit(const std::vector<SeenPoint>& points,
     }
     result.view = end->view;
     result.inliers = end->inliers;
-    result.suspicious =
-        result.suspicious || perhaps_mirrored(chosen(points, end->inliers), options);
     const std::set<int> inside(end->inliers.begin(), end->inliers.end());
     for (int i = 0; i < static_cast<int>(points.size()); ++i) {
         if (!inside.contains(i)) {

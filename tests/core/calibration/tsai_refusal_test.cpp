@@ -135,38 +135,6 @@ TEST(TsaiHandedness, AMirroredPictureIsSaidEvenWithWrongLines) {
     }
 }
 
-// Hardly any depth, a strong lens and a centre off: the linear stage takes it for mirrored, the
-// comparison does not.
-TEST(TsaiHandedness, AFlatTargetIsNotTakenForAMirroredOne) {
-    Random random(23);
-    for (int run = 0; run < 20; ++run) {
-        TsaiScene scene;
-        TsaiLens& lens = scene.truth.lens;
-        lens = {6.0 * uniform(random, 1.0, 3.0),  0.0, 320.0 + uniform(random, -15, 15),
-                240.0 + uniform(random, -15, 15), 1.0, {0.01, 0.01, 640, 640}};
-        lens.kappa1_per_mm2 = uniform(random, 0.1, 0.3) / 16.0;
-        scene.options.sensor = lens.sensor;
-        scene.options.cx_px = 320.0;
-        scene.options.cy_px = 240.0;
-        scene.truth.T_camera_from_world.t_mm = {0, 0, 1000};
-        while (scene.points.size() < 60) {
-            const Eigen::Vector3d point(uniform(random, -300, 300), uniform(random, -200, 200),
-                                        uniform(random, -20, 20));
-            const auto pixel = project(lens, scene.truth.T_camera_from_world * point);
-            if (pixel) {
-                scene.points.push_back({point, *pixel});
-            }
-        }
-        const auto report = calibrate_tsai(scene.points, scene.options);
-        ASSERT_TRUE(report) << run << ": " << report.error().text();
-        EXPECT_NEAR(report->view.lens.f_mm, lens.f_mm, 1e-6) << run;
-        for (SeenPoint& point : scene.points) {
-            point.in_world_mm.x() *= -1.0;
-        }
-        expect_refused(scene.points, scene.options, "left-handed");
-    }
-}
-
 // Up to a third of the lines wrong: by a little, by much, or for the pixel of another corner.
 TEST(TsaiOutliers, WrongLinesAreFoundAndLeftOut) {
     Random random(31);
