@@ -10,6 +10,8 @@
 
 #include "app/cli/bench_command.h"
 #include "app/cli/calibrate_command.h"
+#include "app/cli/calibrate_points_command.h"
+#include "app/cli/calibration_statistics_command.h"
 #include "app/cli/compare_command.h"
 #include "app/cli/convert_command.h"
 #include "app/cli/live_command.h"
@@ -88,6 +90,38 @@ void add_calibrate(CLI::App& app, Chosen& chosen, CalibrateOptions& o) {
     c->add_option("--report", o.report, "HTML report to write");
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_calibrate(o); }; });
+}
+
+void add_calibrate_points(CLI::App& app, Chosen& chosen, CalibratePointsOptions& o) {
+    CLI::App* c = app.add_subcommand("calibrate-points",
+                                     "Tsai's calibration from a list of points and their pixels");
+    c->add_option("--points", o.points,
+                  "Text file with lines: x y z X Y, or x y z XL YL XR YR for two cameras")
+        ->required();
+    c->add_option("--sensor", o.sensor,
+                  "dx,dy,Ncx,Nfx: pixel pitch in mm, columns on the chip "
+                  "and in the picture")
+        ->required();
+    c->add_option("--center", o.center, "Cx,Cy: the picture's centre, px")->required();
+    c->add_option("--method", o.method, "basic (f, T_z, kappa1 refined) or full (everything)")
+        ->capture_default_str();
+    c->add_flag("--coplanar", o.coplanar, "The points are on one plane; s_x is taken as 1");
+    c->add_option("--size", o.size, "W,H of the pictures, for the rig file");
+    c->add_option("--out", o.out, "Rig file to write");
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_calibrate_points(o); }; });
+}
+
+void add_calibration_statistics(CLI::App& app, Chosen& chosen, CalibrationStatisticsOptions& o) {
+    CLI::App* c = app.add_subcommand("calibration-statistics",
+                                     "Mean, deviation and intervals of repeated calibrations");
+    c->add_option("records", o.records, "CSV: environment,camera,record, then the parameters")
+        ->required();
+    c->add_option("--index-of-water", o.index_of_water, "For comparing air and water")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 2.0));
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_calibration_statistics(o); }; });
 }
 
 void add_convert(CLI::App& app, Chosen& chosen, ConvertOptions& o) {
@@ -259,6 +293,8 @@ int main(int argc, char** argv) {
     Chosen chosen;
     TrackOptions track;
     CalibrateOptions calibrate;
+    CalibratePointsOptions calibrate_points;
+    CalibrationStatisticsOptions calibration_statistics;
     ConvertOptions convert;
     MatchOptions match;
     TriangulateOptions triangulate;
@@ -267,6 +303,8 @@ int main(int argc, char** argv) {
     BenchOptions bench;
     CompareOptions compare;
     add_calibrate(app, chosen, calibrate);
+    add_calibrate_points(app, chosen, calibrate_points);
+    add_calibration_statistics(app, chosen, calibration_statistics);
     add_track(app, chosen, track);
     add_triangulate(app, chosen, triangulate);
     add_match(app, chosen, match);

@@ -11,6 +11,9 @@
 #include "app/cli/simulate_command.h"
 #include "app/cli/track_table.h"
 #include "app/cli/triangulate_command.h"
+#include "core/calibration/point_list.h"
+#include "core/calibration/record_table.h"
+#include "core/calibration/sample_statistics.h"
 #include "core/calibration/target.h"
 #include "core/camera/nominal_rig.h"
 #include "core/camera/rig_file.h"
@@ -131,6 +134,33 @@ TEST(DocumentedExamples, LinkMessagesAreRead) {
     ASSERT_TRUE(steered_track(*snapshot));
     EXPECT_EQ(snapshot->tracks.at(0).estimate.state, TrackState::tracking);
     EXPECT_TRUE(event_from_json(example("events")));
+}
+
+TEST(DocumentedExamples, PointsOfKnownPlaceAreRead) {
+    const auto list = point_list_from_text(example("seen-points"));
+    ASSERT_TRUE(list) << list.error().text();
+    EXPECT_EQ(list->left.size(), 2U);
+    EXPECT_EQ(list->right.at(1).seen_px, Eigen::Vector2d(102.25, 119.0));
+}
+
+TEST(DocumentedExamples, CalibrationRecordsAreReadAndCompared) {
+    const auto table = record_table_from_text(example("records"));
+    ASSERT_TRUE(table) << table.error().text();
+    ASSERT_EQ(table->groups.size(), 2U);
+    EXPECT_EQ(table->groups[0].rows.size(), 3U);
+    EXPECT_EQ(water_comparisons(*table, 1.333).size(), 1U);
+
+    const auto extrinsic = record_table_from_text(example("extrinsic-records"));
+    ASSERT_TRUE(extrinsic) << extrinsic.error().text();
+    const auto baselines = baselines_of(*extrinsic, extrinsic->groups.at(0));
+    ASSERT_EQ(baselines.size(), 2U);
+    for (const BaselineRecord& record : baselines) {
+        EXPECT_NEAR(record.baseline_mm.value_or(0.0), 450.0, 1e-9);
+    }
+    // Where the rotations differ, the printed form is no baseline.
+    EXPECT_NEAR(baselines[0].norm_t0_minus_t2_mm, 450.0, 1e-9);
+    EXPECT_GT(baselines[1].norm_t0_minus_t2_mm, 550.0);
+    EXPECT_NEAR(baselines[1].turn_between_deg.value_or(0.0), 90.0, 1e-9);
 }
 
 }  // namespace
