@@ -78,7 +78,7 @@ double likeness_kept(const MatchMethod& method, const Image& templ, const Rectan
     }
     const double both =
         signal_share(templ, inner, method.transform) * signal_share(grey, place, method.transform);
-    return std::clamp(std::sqrt(both), least_kept, 1.0);
+    return both < least_kept * least_kept ? 1.0 : std::sqrt(both);
 }
 
 }  // namespace kambara

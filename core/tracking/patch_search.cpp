@@ -28,6 +28,9 @@ constexpr double preferred_by = 0.1;            // so much less alike may the ex
 constexpr double hidden_share = 0.02;           // of a patch: something lies before the target
 constexpr double farthest_refinement_px = 2.0;  // what wanders farther was another place
 
+// By the noise of the recordings that the quality was fitted to: the model knows of that.
+constexpr double usual_kept = 0.95;
+
 struct Found {
     PatchMatch match;
     Eigen::Vector2i shift;  // of the whole-pixel peak from where the patch was drawn
@@ -165,7 +168,9 @@ double freed_of_noise(PatchMatch& match, double whole_pixel_likeness, const Rend
     const Eigen::Vector2d at = match.pixel - drawn.centre;
     const Rectangle place{static_cast<int>(std::lround(at.x())),
                           static_cast<int>(std::lround(at.y())), inner.width, inner.height};
-    const double kept = likeness_kept(method, drawn.picture, inner, grey, place);
+    const double clear = likeness_kept(method, drawn.picture, inner, grey, place) / usual_kept;
+    // No piece has kept less than it shows: fine texture is taken for noise by some part.
+    const double kept = std::min(1.0, std::max({clear, match.likeness, whole_pixel_likeness}));
     if (match.distinctness < 1.0) {
         match.distinctness /= kept;
     }

@@ -7,7 +7,6 @@ namespace kambara {
 namespace {
 
 constexpr double newest_share = 0.5;
-constexpr double longest_extrapolation_s = 0.5;
 
 }  // namespace
 
@@ -18,7 +17,7 @@ void Predictor::reset() {
 void Predictor::update(std::int64_t time_ns, const Eigen::Vector3d& point_mm) {
     const double step_s = static_cast<double>(time_ns - time_ns_) * 1e-9;
     if (point_mm_ && step_s > 0.0) {
-        if (step_s > longest_extrapolation_s) {
+        if (step_s > farthest_ahead_s) {
             has_velocity_ = false;
             velocity_mm_s_.setZero();
         } else {
@@ -39,7 +38,7 @@ std::optional<Eigen::Vector3d> Predictor::at(std::int64_t time_ns) const {
         return std::nullopt;
     }
     const double ahead_s = static_cast<double>(time_ns - time_ns_) * 1e-9;
-    return *point_mm_ + std::clamp(ahead_s, 0.0, longest_extrapolation_s) * velocity_mm_s_;
+    return *point_mm_ + std::clamp(ahead_s, 0.0, farthest_ahead_s) * velocity_mm_s_;
 }
 
 }  // namespace kambara

@@ -10,6 +10,8 @@ namespace kambara {
 /// Where a target will be, from where it was: constant velocity, smoothed over a few frames.
 class Predictor {
   public:
+    static constexpr double farthest_ahead_s = 0.5;
+
     void reset();
     /// A measured place. Times must not run backwards.
     void update(std::int64_t time_ns, const Eigen::Vector3d& point_mm);

@@ -48,6 +48,8 @@ std::optional<Peak> likely_peak(const ScoreMap& map, const Matcher& matcher,
                 likely->x = likely->whole_x = x;
                 likely->y = likely->whole_y = y;
                 likely->score = map.at(x, y);
+                likely->on_border =
+                    x == r.x || y == r.y || x == r.x + r.width - 1 || y == r.y + r.height - 1;
             }
         }
     }

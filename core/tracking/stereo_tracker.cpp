@@ -22,8 +22,7 @@ constexpr int realigned_within_px = 5;
 // A template of the target as it is seen now, about `pixel`, of the size it has now. Refused where
 // it would reach out of the picture or lacks texture.
 Result<ReferencePatch> cut_anew(const StereoFrame& frame, const TargetMeasurement& measured,
-                                const Eigen::Vector2d& pixel) {
-    const Eigen::Vector2i size = measured.left.size_px;
+                                const Eigen::Vector2d& pixel, const Eigen::Vector2i& size) {
     const Eigen::Vector2d corner = pixel - 0.5 * (size.cast<double>() - Eigen::Vector2d::Ones());
     const Rectangle rectangle{static_cast<int>(std::lround(corner.x())),
                               static_cast<int>(std::lround(corner.y())), size.x(), size.y()};
@@ -144,21 +143,27 @@ void StereoTracker::clear() {
 void StereoTracker::forget_motion() {
     predictor_.reset();
     last_frame_.reset();
+    surprise_px_ = 0.0;
     place_unknown_ = true;
 }
 
 Result<Done> StereoTracker::update_template() {
     const bool in_sight =
         estimate_.state == TrackState::tracking || estimate_.state == TrackState::doubtful;
-    if (!in_sight || !last_measured_ || !last_frame_) {
+    const bool now = last_measured_ && last_frame_ && estimate_.left_px &&
+                     last_frame_->left.index == estimate_.frame;
+    if (!in_sight || !now) {
         return Error{"The target is not in sight, so its template can't be updated.",
                      "Wait until it is tracked, or choose a new template."};
     }
-    const auto cut = cut_anew(*last_frame_, *last_measured_, last_measured_->left.pixel);
+    const auto cut =
+        cut_anew(*last_frame_, *last_measured_, last_measured_->left.pixel, size_now_px());
     if (!cut) {
         return cut.error();
     }
     looks_.emplace(*cut);
+    estimate_.template_size_px = cut->size_px;
+    describe_size();
     ++estimate_.template_updates;
     return Done{};
 }
@@ -174,7 +179,8 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     transforms_->keep(frame.right.picture);
     ++frames_in_state_;
     const bool lost = estimate_.state == TrackState::lost || place_unknown_;
-    const bool everywhere = lost && frames_in_state_ % frames_between_full_searches == 1;
+    const bool everywhere =
+        place_unknown_ || (lost && frames_in_state_ % frames_between_full_searches == 1);
     estimate_.forget_place();
     estimate_.frame = frame.left.index;
     const SearchScope scope{expected_place(frame.left.time_ns), range_known_, lost, everywhere,
@@ -208,11 +214,12 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
 
 // How far off the prediction the target may well be in the left picture.
 double StereoTracker::reach_px(std::int64_t time_ns) const {
+    const double since_s = static_cast<double>(time_ns - seen_time_ns_) * 1e-9;
     if (!predictor_.has_velocity()) {
-        const double since_s = static_cast<double>(time_ns - sure_time_ns_) * 1e-9;
         return std::max(options_.fastest_px_s * since_s, least_reach_px);
     }
-    return least_reach_px + reach_by_surprise * surprise_px_;
+    const double stalled_s = std::max(0.0, since_s - Predictor::farthest_ahead_s);
+    return least_reach_px + reach_by_surprise * surprise_px_ + options_.fastest_px_s * stalled_s;
 }
 
 void StereoTracker::note_surprise(const TargetMeasurement& measured,
@@ -224,7 +231,8 @@ void StereoTracker::note_surprise(const TargetMeasurement& measured,
 }
 
 void StereoTracker::grow_surprise() {
-    surprise_px_ = std::max(surprise_px_, 1.0) * surprise_grows;
+    surprise_px_ = std::min(std::max(surprise_px_, 1.0) * surprise_grows,
+                            reach_by_surprise * options_.wide_radius_px);
 }
 
 // Where the target is thought to be. Once it is lost, a place in sight and at the distance it was
@@ -275,8 +283,8 @@ std::optional<TargetMeasurement> StereoTracker::measure(const StereoFrame& frame
             break;
         }
         auto other_detail = std::make_shared<SearchDetail>();
-        auto other =
-            search_target(rig_, options_, looks_->at(look), frame, scope, other_detail.get());
+        auto other = search_target(rig_, options_, looks_->at(look), frame, scope,
+                                   other_detail.get(), to_beat);
         if (quality_of(other) > to_beat) {
             to_beat = quality_of(other);
             best = std::move(other);
@@ -307,6 +315,13 @@ void StereoTracker::follow_change(const TargetMeasurement& measured) {
     looks_->change(step);
 }
 
+// Of the target, which a turned patch's own box exceeds.
+Eigen::Vector2i StereoTracker::size_now_px() const {
+    const Eigen::Vector2d size = estimate_.scale * looks_->first().size_px.cast<double>();
+    constexpr double smallest = 7.0;
+    return size.array().max(smallest).min(largest_template_px).round().cast<int>();
+}
+
 // The operator's rectangle as it would be drawn now.
 void StereoTracker::describe_size() {
     const ReferencePatch& first = looks_->first();
@@ -320,7 +335,7 @@ void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& 
     last_measured_ = measured;
     last_frame_ = frame;
     place_unknown_ = false;
-    sure_time_ns_ = frame.left.time_ns;
+    seen_time_ns_ = frame.left.time_ns;
     estimate_.frame = frame.left.index;
     estimate_.left_px = measured.left.pixel;
     estimate_.right_px.reset();
@@ -334,7 +349,7 @@ void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& 
         predictor_.reset();  // what it has seen so far lay at an assumed distance
     }
     predictor_.update(frame.left.time_ns, measured.point_in_rig_mm);
-    if (measured.position && !range_known_) {
+    if (measured.position && !range_known_ && measured.quality >= options_.good_quality) {
         anchor(measured.point_in_rig_mm);
     }
 }
@@ -408,7 +423,7 @@ void StereoTracker::refresh_template(const TargetMeasurement& measured, const St
     if (measured.left.likeness >= options_.update_likeness) {
         return;
     }
-    if (const auto cut = cut_anew(frame, measured, *pixel)) {
+    if (const auto cut = cut_anew(frame, measured, *pixel, measured.left.size_px)) {
         looks_->add(*cut);
         ++estimate_.template_updates;
     }

@@ -98,6 +98,7 @@ class StereoTracker {
     std::optional<Eigen::Vector2d> aligned(const TargetMeasurement& measured,
                                            const Image& grey) const;
     void refresh_template(const TargetMeasurement& measured, const StereoFrame& frame);
+    Eigen::Vector2i size_now_px() const;
     void describe_size();
     void miss(const std::string& why);
     void become(TrackState state, std::string reason);
@@ -118,7 +119,7 @@ class StereoTracker {
     std::optional<TargetMeasurement> last_measured_;
     std::optional<Eigen::Vector3d> sure_place_in_rig_mm_;  // when it was last Tracking
     double surprise_px_ = 0.0;  // how far it was off its predicted place of late
-    std::int64_t sure_time_ns_ = 0;
+    std::int64_t seen_time_ns_ = 0;
     Predictor predictor_;
 };
 

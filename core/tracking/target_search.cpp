@@ -216,10 +216,17 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
 std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOptions& options,
                                                const ReferencePatch& patch,
                                                const StereoFrame& frame, const SearchScope& scope,
-                                               SearchDetail* detail) {
+                                               SearchDetail* detail, double to_beat) {
     const auto left = find_left(rig, options, patch, *frame.left.picture, scope, detail);
     if (!left) {
         return std::nullopt;
+    }
+    if (left->quality <= to_beat) {
+        TargetMeasurement no_better;
+        no_better.left = *left;
+        no_better.quality = left->quality;
+        no_better.point_in_rig_mm = scope.expected_in_rig_mm;
+        return no_better;
     }
     return complete_from_left(rig, options, &patch, frame, scope, *left, detail);
 }

@@ -40,12 +40,14 @@ bool says_nothing(const TrackerOptions& options, const PatchMatch& match);
 
 /// Looks for a patch: left in a window about the expected place (then in a wider one; once lost,
 /// everywhere if so told), right along the epipolar curve, then the position of both. Empty where
-/// the expected place can't be seen. `detail`, where there is one, is told how it was looked for.
-/// Any thread.
+/// the expected place can't be seen. A left match of no more than the quality `to_beat` is given
+/// as it is, without a look to the right. `detail`, where there is one, is told how it was looked
+/// for. Any thread.
 std::optional<TargetMeasurement> search_target(const Rig& rig, const TrackerOptions& options,
                                                const ReferencePatch& patch,
                                                const StereoFrame& frame, const SearchScope& scope,
-                                               SearchDetail* detail = nullptr);
+                                               SearchDetail* detail = nullptr,
+                                               double to_beat = 0.0);
 
 /// The second half of the above, for a left match that is known already; `look` is what was found
 /// there, null where it was cut there.
