@@ -79,11 +79,19 @@ void add_calibrate(CLI::App& app, Chosen& chosen, CalibrateOptions& o) {
     c->add_option("--left", o.left, "Left pictures (pattern)")->required();
     c->add_option("--right", o.right, "Right pictures (pattern)");
     c->add_option("--pan-tilt", o.pan_tilt, "Pan-tilt camera's pictures (pattern)");
-    c->add_option("--target", o.target, "chessboard:9x6:30 (inner corners, square in mm)")
+    c->add_option("--target", o.target,
+                  "A target file, chessboard:9x6:30 (inner corners, square in mm), "
+                  "charuco:5x7:40:20:DICT_6X6_250 or two-plane-24")
         ->required();
     c->add_option("--model", o.model, "brown or tsai")->capture_default_str();
     c->add_option("--sensor", o.sensor, "dx,dy,Ncx,Nfx (for tsai)");
-    c->add_option("--baseline", o.baseline, "Known baseline MM,SIGMA");
+    c->add_option("--baseline", o.baseline, "Baseline measured by tape: MM,SIGMA");
+    c->add_option("--medium", o.medium, "Where the pictures were taken: air or water")
+        ->capture_default_str();
+    c->add_option("--expected", o.expected,
+                  "Rig file to hold the result against: nominal, or an earlier calibration");
+    c->add_flag("--estimate-target", o.estimate_target,
+                "Let the target's corners move within their deviations");
     c->add_option("--out", o.out, "Rig file to write")->required();
     c->add_option("--report", o.report, "HTML report to write");
     add_json(*c, chosen);

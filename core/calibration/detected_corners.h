@@ -12,6 +12,7 @@ struct DetectedCorner {
     int id = 0;
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
     double sigma_px = 0.1;
+    double blur_px = 0.0;  ///< width of the edges there; 0 where not measured
 };
 
 /// In ascending order of their numbers, each once; any part of the target.

@@ -39,6 +39,18 @@ class HtmlReport {
     void unit_square(std::string_view title, std::string_view across, std::string_view up,
                      const std::vector<Point>& points);
 
+    struct Arrow {
+        double x = 0.0;
+        double y = 0.0;
+        double dx = 0.0;
+        double dy = 0.0;
+        bool marked = false;  ///< drawn in the second colour
+    };
+    /// Arrows in a picture of width x height, x to the right and y down, each `stretch` times as
+    /// long as it is: what is off, and where.
+    void picture_arrows(std::string_view title, double width, double height, double stretch,
+                        const std::vector<Arrow>& arrows);
+
     std::string text() const;
 
   private:
