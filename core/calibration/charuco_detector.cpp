@@ -58,7 +58,9 @@ Result<DetectedCorners> detect_charuco(const Image& grey, const CharucoTarget& b
     }
     std::sort(corners.begin(), corners.end(),
               [](const auto& a, const auto& b) { return a.id < b.id; });
-    refine_corners(grey, corners);
+    // The window keeps clear of the markers beside the corner.
+    const double clear = 0.5 * (board.square_mm - board.marker_mm) / board.square_mm;
+    refine_corners(grey, corners, std::min(0.3, clear));
     if (corners.size() < least_corners || !spread_out(corners, board)) {
         return Error{
             "Only " + std::to_string(corners.size()) + " corners of the ChArUco board are found.",

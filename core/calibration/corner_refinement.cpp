@@ -11,7 +11,6 @@
 namespace kambara {
 namespace {
 
-constexpr double window_share = 0.3;  // of the corner spacing, to each side
 constexpr double least_sigma_px = 0.02;
 constexpr double most_sigma_px = 2.0;
 
@@ -93,13 +92,13 @@ double spacing_px(const DetectedCorners& corners, std::size_t at) {
     return smallest;
 }
 
-void refine_corners(const Image& grey, DetectedCorners& corners) {
+void refine_corners(const Image& grey, DetectedCorners& corners, double share) {
     const cv::Mat picture = opencv_view(grey);
     const double noise = noise_levels(picture);
     DetectedCorners refined;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double spacing = spacing_px(corners, i);
-        const int half = std::clamp(static_cast<int>(std::lround(window_share * spacing)), 2, 40);
+        const int half = std::clamp(static_cast<int>(std::lround(share * spacing)), 2, 40);
         std::vector<cv::Point2f> at{
             {static_cast<float>(corners[i].px.x()), static_cast<float>(corners[i].px.y())}};
         cv::cornerSubPix(

@@ -19,6 +19,7 @@ constexpr double rejected_above_median = 3.0;  // a view's residual, in units of
 constexpr double never_rejected_px = 0.5;
 constexpr double outlier_sigmas = 6.0;
 constexpr double never_outlier_px = 0.6;
+constexpr double k3_shows = 4.0;  // fall of the squares a camera, in units of the variance
 
 std::string rounded(double value, int decimals) {
     char text[48];
@@ -205,10 +206,10 @@ class Calibration {
         for (std::size_t v = 0; v < views_.size(); ++v) {
             seen.push_back(corners(v, place));
         }
-        mono_.push_back(calibrate_mono(
-            target_mm_, seen,
-            {options_.model, options_.sensor, size.width_px, size.height_px, options_.free_k3},
-            stop_));
+        mono_.push_back(calibrate_mono(target_mm_, seen,
+                                       {options_.model, options_.sensor, size.width_px,
+                                        size.height_px, options_.free_k3.value_or(false)},
+                                       stop_));
         MonoResult& mono = mono_.back();
         if (!mono.converged) {
             refuse(std::string("The ") + camera_names[place] +
@@ -333,6 +334,7 @@ class Calibration {
         if (drop_misfits() && !adjust(bundle_, 0.0, stop_)) {
             return not_determined();
         }
+        free_k3_where_it_shows();
         std::vector<bool> used(numbers_.size(), false);
         for (const BundleCorner& corner : bundle_.corners) {
             used[static_cast<std::size_t>(corner.view)] =
@@ -350,6 +352,40 @@ class Calibration {
             return not_determined();
         }
         return !options_.baseline || weigh_baseline();
+    }
+
+    double weighted_squares() const {
+        double sum = 0.0;
+        for (const BundleCorner& corner : bundle_.corners) {
+            const auto r = corner.used ? residual_px(bundle_, corner) : std::nullopt;
+            sum += r ? r->squaredNorm() / std::pow(corner.sigma_px, 2) : 0.0;
+        }
+        return sum;
+    }
+
+    // Keeps the third radial terms where the residuals fall by more than chance lets them.
+    void free_k3_where_it_shows() {
+        if (options_.model != LensModel::brown || options_.free_k3) {
+            return;
+        }
+        Bundle freed = bundle_;
+        for (BundleCamera& camera : freed.cameras) {
+            camera.free_k3 = true;
+        }
+        if (!adjust(freed, 0.0, stop_)) {
+            return;
+        }
+        const double before = weighted_squares();
+        std::swap(freed, bundle_);
+        const double after = weighted_squares();
+        const auto used = std::count_if(bundle_.corners.begin(), bundle_.corners.end(),
+                                        [](const BundleCorner& corner) { return corner.used; });
+        const double unknowns =
+            6.0 * static_cast<double>(numbers_.size()) + 15.0 * static_cast<double>(mono_.size());
+        const double variance = after / std::max(1.0, 2.0 * static_cast<double>(used) - unknowns);
+        if (before - after < k3_shows * static_cast<double>(mono_.size()) * variance) {
+            std::swap(freed, bundle_);
+        }
     }
 
     bool not_determined() {

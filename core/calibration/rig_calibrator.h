@@ -29,8 +29,10 @@ struct RigCalibratorOptions {
     /// The cameras that take part; the left one always does.
     std::array<std::optional<PictureSize>, most_cameras> cameras;
     LensModel model = LensModel::brown;
-    Sensor sensor;                 ///< Tsai's, the same behind every lens
-    bool free_k3 = false;          ///< Brown's third radial term; narrow lenses can't tell it
+    Sensor sensor;  ///< Tsai's, the same behind every lens
+    /// Brown's third radial term: as given, or, where nothing is said, free if the residuals show
+    /// it (narrow lenses can't tell it).
+    std::optional<bool> free_k3 = {};
     bool estimate_target = false;  ///< the target's corners, too, within their deviations
     bool held_out = true;          ///< calibrate the halves and test them on each other
     int least_views = 3;
