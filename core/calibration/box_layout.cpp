@@ -26,8 +26,17 @@ std::array<Eigen::Vector3d, 4> BoxLayout::corners_of(int box) const {
     return {corners_mm[first], corners_mm[first + 1], corners_mm[first + 2], corners_mm[first + 3]};
 }
 
-BoxLayout box_layout(const TwoPlaneTarget& target) {
-    return {{3, 3}, 4, 0.5, 25.0 / 70.0, true, corners_in_target_mm(Target(target))};
+BoxLayout box_layout(const BoxTarget& target) {
+    BoxLayout layout;
+    for (const BoxPlane& plane : target.planes) {
+        layout.columns.push_back(plane.columns);
+    }
+    layout.rows = target.rows;
+    layout.gap_to_width = target.pitch_across_mm / target.box_width_mm - 1.0;
+    layout.gap_to_height = target.pitch_down_mm / target.box_height_mm - 1.0;
+    layout.dark_on_light = target.dark_on_light;
+    layout.corners_mm = drawn_corners_mm(Target(target));
+    return layout;
 }
 
 }  // namespace kambara

@@ -25,7 +25,7 @@ struct BoxLayout {
     double gap_to_width = 0.0;   ///< the white between two boxes of a row, by a box's width
     double gap_to_height = 0.0;  ///< ... of a column, by its height
     bool dark_on_light = true;
-    std::vector<Eigen::Vector3d> corners_mm;  ///< four a box, as corners_in_target_mm has them
+    std::vector<Eigen::Vector3d> corners_mm;  ///< four a box, as drawn_corners_mm has them
 
     int boxes() const { return static_cast<int>(corners_mm.size() / 4); }
     /// Boxes are counted row by row, left to right over all planes.
@@ -35,6 +35,6 @@ struct BoxLayout {
     std::array<Eigen::Vector3d, 4> corners_of(int box) const;
 };
 
-BoxLayout box_layout(const TwoPlaneTarget& target);
+BoxLayout box_layout(const BoxTarget& target);
 
 }  // namespace kambara

@@ -44,7 +44,7 @@ Image rendered(const BoxScene& scene) {
     std::vector<CoverageCanvas::Piece> sheets;
     std::vector<CoverageCanvas::Piece> boxes;
     for (const TargetPatch& patch : patches_of(scene.target)) {
-        if (!patch.dark) {
+        if (patch.sheet) {
             sheets.push_back({outline_of(scene, patch),
                               scene.paper * (sheets.empty() ? 1.0 : second_sheet)});
         } else if (!scene.hidden.contains(static_cast<int>(boxes.size()))) {
