@@ -111,8 +111,8 @@ double distance_outside(const Quadrilateral& box, const Point& p) {
     double farthest = -1e9;
     for (std::size_t i = 0; i < 4; ++i) {
         const Point along = (box[(i + 1) % 4] - box[i]).normalized();
-        farthest = std::max(farthest, along.y() * (p.x() - box[i].x()) -
-                                          along.x() * (p.y() - box[i].y()));
+        farthest =
+            std::max(farthest, along.y() * (p.x() - box[i].x()) - along.x() * (p.y() - box[i].y()));
     }
     return farthest;
 }
@@ -144,8 +144,7 @@ Step step_of(const Image& grey, const LightOfLevel& light, const BoxCoverage::Re
             }
             const double others_here = others.at(region.x0 + x, region.y0 + y);
             const double share = std::min(1.0, region.share(i) + others_here);
-            const double seen =
-                static_cast<double>(light[grey.at(region.x0 + x, region.y0 + y)]);
+            const double seen = static_cast<double>(light[grey.at(region.x0 + x, region.y0 + y)]);
             const double misfit = seen - (outside + share * (inside - outside));
             row.head<8>() = (inside - outside) * region.by_corners.row(i).transpose();
             row(8) = 1.0 - share;
@@ -273,8 +272,9 @@ std::optional<FittedBox> fit_area(const Image& grey, const LightOfLevel& light,
             for (const Point& p : start) {
                 const Point out = p + 1.5 * (p - middle).normalized() + Point(dx, dy);
                 outside = std::max(
-                    outside, static_cast<double>(light[grey.at(static_cast<int>(std::lround(out.x())),
-                                                               static_cast<int>(std::lround(out.y())))]));
+                    outside,
+                    static_cast<double>(light[grey.at(static_cast<int>(std::lround(out.x())),
+                                                      static_cast<int>(std::lround(out.y())))]));
             }
             const Point in = middle + Point(dx, dy);
             inside = std::min(
@@ -287,7 +287,8 @@ std::optional<FittedBox> fit_area(const Image& grey, const LightOfLevel& light,
             return std::nullopt;
         }
         const auto region = others.region_of(box.corners_px, ring, straightener);
-        const Step step = step_of(grey, light, region, others, box.corners_px, ring, outside, inside);
+        const Step step =
+            step_of(grey, light, region, others, box.corners_px, ring, outside, inside);
         if (!step.change.allFinite() || step.pixels < 20.0) {
             return std::nullopt;
         }

@@ -12,9 +12,9 @@
 namespace kambara {
 namespace {
 
-constexpr double least_outline_px = 2.5;      // breadth of what is looked at closely
-constexpr double unknown_blur_px = 0.3;       // where no edge is seen whole
-constexpr std::size_t lines_for_terms = 12;   // long sides that tell the lens's bending
+constexpr double least_outline_px = 2.5;     // breadth of what is looked at closely
+constexpr double unknown_blur_px = 0.3;      // where no edge is seen whole
+constexpr std::size_t lines_for_terms = 12;  // long sides that tell the lens's bending
 constexpr std::size_t points_of_long_side = 16;
 // A box that lies so far from where the others have it is covered in part, or none.
 constexpr double misfit_px = 0.25;
@@ -149,8 +149,8 @@ class Detector {
         for (std::size_t i = 0; i < stages_.boxes.size(); ++i) {
             double worst = 0.0;
             for (std::size_t k = 4 * i; k < 4 * i + 4; ++k) {
-                worst = std::max(
-                    worst, (apply(view.projection, seen.points[k]) - seen.pixels[k]).norm());
+                worst = std::max(worst,
+                                 (apply(view.projection, seen.points[k]) - seen.pixels[k]).norm());
             }
             misfits.push_back(worst);
         }
@@ -164,9 +164,10 @@ class Detector {
             if (misfits[i] > limit) {
                 remark(stages_.numbers[i], "lies beside where the others have it");
             } else if (size.minCoeff() < options_.least_width_px) {
-                remark(stages_.numbers[i], "is narrower than the " +
-                                               std::to_string(options_.least_width_px).substr(0, 3) +
-                                               " px that it takes");
+                remark(stages_.numbers[i],
+                       "is narrower than the " +
+                           std::to_string(options_.least_width_px).substr(0, 3) +
+                           " px that it takes");
             } else {
                 stages_.boxes[kept] = box;
                 stages_.numbers[kept] = stages_.numbers[i];
@@ -215,8 +216,7 @@ class Detector {
             error.remedy = "Bring the target nearer.";
         } else if (const double blur = picture_blur_px(); blur > 2.0) {
             error.cause += " The picture is blurred: its sharpest edges are about " +
-                           std::to_string(static_cast<int>(std::lround(2.0 * blur))) +
-                           " px wide.";
+                           std::to_string(static_cast<int>(std::lround(2.0 * blur))) + " px wide.";
             error.remedy = "Focus the lens, or hold the target still.";
         }
         return error;

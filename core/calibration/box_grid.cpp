@@ -19,8 +19,8 @@ struct Step {
     int columns, rows;
 };
 constexpr std::array<Step, 4> neighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-constexpr std::array<Step, 10> farther{{{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {2, 0},
-                                        {-2, 0}, {0, 2}, {0, -2}, {0, 3}, {0, -3}}};
+constexpr std::array<Step, 10> farther{
+    {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {2, 0}, {-2, 0}, {0, 2}, {0, -2}, {0, 3}, {0, -3}}};
 
 class Grower {
   public:
@@ -82,10 +82,9 @@ class Grower {
         const auto distance = [&](const GridBox& g) {
             return std::abs(g.column - column) + std::abs(g.row - row);
         };
-        std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count),
-                          near.end(), [&](const GridBox& a, const GridBox& b) {
-                              return distance(a) < distance(b);
-                          });
+        std::partial_sort(
+            near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end(),
+            [&](const GridBox& a, const GridBox& b) { return distance(a) < distance(b); });
         std::vector<Eigen::Vector2d> places;
         std::vector<Eigen::Vector2d> pixels;
         for (std::size_t i = 0; i < count; ++i) {
@@ -107,9 +106,9 @@ class Grower {
         const Quadrilateral& b = boxes_[from.box];
         const Eigen::Vector2d across = 0.5 * (b[1] - b[0] + b[2] - b[3]);
         const Eigen::Vector2d down = 0.5 * (b[3] - b[0] + b[2] - b[1]);
-        const Eigen::Vector2d at =
-            centres_[from.box] + step.columns * (1.0 + options_.gap_to_width) * across +
-            step.rows * (1.0 + options_.gap_to_height) * down;
+        const Eigen::Vector2d at = centres_[from.box] +
+                                   step.columns * (1.0 + options_.gap_to_width) * across +
+                                   step.rows * (1.0 + options_.gap_to_height) * down;
         const double reach = 0.5 * (across.norm() + down.norm()) *
                              std::max(std::abs(step.columns), std::abs(step.rows));
         for (std::size_t i = 0; i < boxes_.size(); ++i) {

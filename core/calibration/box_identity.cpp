@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t least_boxes = 4;
 constexpr std::size_t most_pairs = 60;  // of grids that are tried
-constexpr int most_fitted = 6;          // of the placements of a pair, the best ones, fitted in full
+constexpr int most_fitted = 6;  // of the placements of a pair, the best ones, fitted in full
 // What a view may leave unexplained: an honest one leaves what its one radial term doesn't tell.
 constexpr double most_rms_px = 0.3;
 constexpr double most_rms_of_size = 0.012;
@@ -188,8 +188,9 @@ class Identification {
         for (const Placement& p : placements) {
             const Extent e = extent_of(*p.grid);
             for (const GridBox& g : *p.grid) {
-                result.push_back({g.box, layout_.box_number({p.plane, p.column + g.column - e.column0,
-                                                             p.row + g.row - e.row0})});
+                result.push_back(
+                    {g.box, layout_.box_number({p.plane, p.column + g.column - e.column0,
+                                                p.row + g.row - e.row0})});
             }
         }
         return result;
@@ -237,7 +238,8 @@ class Identification {
         candidate.view = fit_view_and_radial(points, radial_);
         candidate.rms = rms_px(candidate.view, points);
         return candidate.rms <= allowed_px(candidate.boxes) &&
-               (layout_.columns.size() == 1 || seen_from_before(candidate.view.projection, points.points));
+               (layout_.columns.size() == 1 ||
+                seen_from_before(candidate.view.projection, points.points));
     }
 
     std::optional<Quadrilateral> foretold(const TargetView& view, int number) const {
@@ -305,7 +307,8 @@ class Identification {
             first = std::min(first, flat ? place.column : place.plane);
             last = std::max(last, flat ? place.column : place.plane);
         }
-        const int end = flat ? layout_.columns[0] - 1 : static_cast<int>(layout_.columns.size()) - 1;
+        const int end =
+            flat ? layout_.columns[0] - 1 : static_cast<int>(layout_.columns.size()) - 1;
         return top == 0 && bottom == layout_.rows - 1 && first == 0 && last == end;
     }
 
@@ -333,8 +336,7 @@ class Identification {
                          "Show more of the target, evenly lit, within 45 degrees of upright."};
         }
         const bool rivals = std::any_of(found_.begin(), found_.end(), [&](const Candidate& other) {
-            return contradict(*best, other) &&
-                   other.rms < rival_factor * best->rms + rival_px &&
+            return contradict(*best, other) && other.rms < rival_factor * best->rms + rival_px &&
                    5 * other.boxes.size() >= 4 * best->boxes.size();
         });
         if (rivals || !certain(*best)) {

@@ -30,8 +30,8 @@ std::optional<FittedBox> BoxMeasure::alone(const Quadrilateral& start) const {
                     BoxCoverage(grey_.width(), grey_.height(), options_.blur_px));
 }
 
-std::vector<std::optional<FittedBox>> BoxMeasure::together(
-    const std::vector<Quadrilateral>& starts, const Straightener& straightener) const {
+std::vector<std::optional<FittedBox>> BoxMeasure::together(const std::vector<Quadrilateral>& starts,
+                                                           const Straightener& straightener) const {
     std::vector<std::optional<FittedBox>> boxes(starts.size());
     std::vector<Quadrilateral> corners = starts;
     for (int round = 0; round < rounds; ++round) {

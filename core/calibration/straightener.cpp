@@ -99,7 +99,8 @@ std::optional<Eigen::Vector2d> Straightener::straight(const Eigen::Vector2d& pix
         }
         const PinholeParameters p = pinhole_parameters(*lens);
         const Eigen::Vector3d& d = ray->direction;
-        return Eigen::Vector2d(p.fx_px * d.x() / d.z() + p.cx_px, p.fy_px * d.y() / d.z() + p.cy_px);
+        return Eigen::Vector2d(p.fx_px * d.x() / d.z() + p.cx_px,
+                               p.fy_px * d.y() / d.z() + p.cy_px);
     }
     return pixel;
 }
@@ -110,8 +111,8 @@ std::optional<Eigen::Vector2d> Straightener::pixel(const Eigen::Vector2d& straig
     }
     if (const auto* lens = std::get_if<Lens>(&model_)) {
         const PinholeParameters p = pinhole_parameters(*lens);
-        return project(*lens, {(straight.x() - p.cx_px) / p.fx_px,
-                               (straight.y() - p.cy_px) / p.fy_px, 1.0});
+        return project(
+            *lens, {(straight.x() - p.cx_px) / p.fx_px, (straight.y() - p.cy_px) / p.fy_px, 1.0});
     }
     return straight;
 }

@@ -268,7 +268,8 @@ TEST(RigCalibrator, ThreeCamerasMeasureTheWorkingVolume) {
     double worst_baseline = 0.0;
     RangeErrors exact;
     RangeErrors noisy;
-    for (unsigned seed = 100; seed < 100U + static_cast<unsigned>(seeds_of_three_cameras()); ++seed) {
+    for (unsigned seed = 100; seed < 100U + static_cast<unsigned>(seeds_of_three_cameras());
+         ++seed) {
         std::mt19937 random(seed);
         auto options = options_for(truth);
         options.held_out = false;
