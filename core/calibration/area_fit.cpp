@@ -10,7 +10,9 @@ namespace {
 
 constexpr int most_rounds = 8;
 constexpr double settled_px = 2e-3;
-constexpr double farthest_px = 2.0;
+constexpr double farthest_px =
+    2.0;  // from the start, and more for a long box, whose corners are sharp
+constexpr double farthest_of_length = 0.12;
 constexpr double least_sigma_px = 0.003;
 constexpr double widest_ring_px = 2.0;  // of light about the box
 constexpr double most_misfit = 0.08;    // of the contrast: something else than a box
@@ -257,6 +259,7 @@ std::optional<FittedBox> fit_area(const Image& grey, const LightOfLevel& light,
     box.corners_px = start;
     box.blur_px = options.blur_px;
     const double ring = widest_ring_px + 2.0 * options.blur_px;
+    const double farthest = farthest_px + farthest_of_length * mean_size_px(start).maxCoeff();
     double outside = 0.0;
     double inside = 255.0;
     for (const Point& p : start) {
@@ -300,7 +303,7 @@ std::optional<FittedBox> fit_area(const Image& grey, const LightOfLevel& light,
                 move.normalize();
             }
             box.corners_px[i] += move;
-            if (!((box.corners_px[i] - start[i]).norm() < farthest_px)) {
+            if (!((box.corners_px[i] - start[i]).norm() < farthest)) {
                 return std::nullopt;
             }
         }
