@@ -17,6 +17,9 @@ struct CalibrateOptions {
     std::string model = "brown";
     std::optional<std::string> sensor;    ///< dx,dy,Ncx,Nfx
     std::optional<std::string> baseline;  ///< MM,SIGMA
+    std::string medium = "air";
+    std::optional<std::filesystem::path> expected;  ///< rig file
+    bool estimate_target = false;
     std::filesystem::path out;
     std::optional<std::filesystem::path> report;
 };

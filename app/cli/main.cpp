@@ -14,6 +14,7 @@
 #include "app/cli/calibration_statistics_command.h"
 #include "app/cli/compare_command.h"
 #include "app/cli/convert_command.h"
+#include "app/cli/detect_command.h"
 #include "app/cli/live_command.h"
 #include "app/cli/match_command.h"
 #include "app/cli/simulate_command.h"
@@ -81,11 +82,19 @@ void add_calibrate(CLI::App& app, Chosen& chosen, CalibrateOptions& o) {
     c->add_option("--left", o.left, "Left pictures (pattern)")->required();
     c->add_option("--right", o.right, "Right pictures (pattern)");
     c->add_option("--pan-tilt", o.pan_tilt, "Pan-tilt camera's pictures (pattern)");
-    c->add_option("--target", o.target, "chessboard:9x6:30 (inner corners, square in mm)")
+    c->add_option("--target", o.target,
+                  "A target file, chessboard:9x6:30 (inner corners, square in mm), "
+                  "charuco:5x7:40:20:DICT_6X6_250 or two-plane-24")
         ->required();
     c->add_option("--model", o.model, "brown or tsai")->capture_default_str();
     c->add_option("--sensor", o.sensor, "dx,dy,Ncx,Nfx (for tsai)");
-    c->add_option("--baseline", o.baseline, "Known baseline MM,SIGMA");
+    c->add_option("--baseline", o.baseline, "Baseline measured by tape: MM,SIGMA");
+    c->add_option("--medium", o.medium, "Where the pictures were taken: air or water")
+        ->capture_default_str();
+    c->add_option("--expected", o.expected,
+                  "Rig file to hold the result against: nominal, or an earlier calibration");
+    c->add_flag("--estimate-target", o.estimate_target,
+                "Let the target's corners move within their deviations");
     c->add_option("--out", o.out, "Rig file to write")->required();
     c->add_option("--report", o.report, "HTML report to write");
     add_json(*c, chosen);
@@ -140,6 +149,17 @@ void add_convert(CLI::App& app, Chosen& chosen, ConvertOptions& o) {
         }
         chosen.run = [&o] { return run_convert(o); };
     });
+}
+
+void add_detect(CLI::App& app, Chosen& chosen, DetectOptions& o) {
+    CLI::App* c = app.add_subcommand("detect", "Find a calibration target in a picture");
+    c->add_option("image", o.image, "The picture")->required();
+    c->add_option("--target", o.target,
+                  "two-plane-24, chessboard:9x6:30 (inner corners, square in mm), or a target file")
+        ->required();
+    c->add_option("--stages", o.stages, "Folder for a picture of every stage");
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_detect(o); }; });
 }
 
 void add_match(CLI::App& app, Chosen& chosen, MatchOptions& o) {
@@ -296,6 +316,7 @@ int main(int argc, char** argv) {
     CalibratePointsOptions calibrate_points;
     CalibrationStatisticsOptions calibration_statistics;
     ConvertOptions convert;
+    DetectOptions detect;
     MatchOptions match;
     TriangulateOptions triangulate;
     SimulateOptions simulate;
@@ -307,6 +328,7 @@ int main(int argc, char** argv) {
     add_calibration_statistics(app, chosen, calibration_statistics);
     add_track(app, chosen, track);
     add_triangulate(app, chosen, triangulate);
+    add_detect(app, chosen, detect);
     add_match(app, chosen, match);
     add_convert(app, chosen, convert);
     add_simulate(app, chosen, simulate);

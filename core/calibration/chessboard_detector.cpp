@@ -7,12 +7,12 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/calibration/corner_refinement.h"
 #include "core/image/opencv_view.h"
 
 namespace kambara {
 namespace {
 
-constexpr double window_share = 0.3;  // of the corner spacing, to each side
 constexpr double least_spacing_px = 6.0;
 
 double smallest_spacing_px(const std::vector<cv::Point2f>& corners, int across, int down) {
@@ -33,8 +33,7 @@ double smallest_spacing_px(const std::vector<cv::Point2f>& corners, int across, 
 
 }  // namespace
 
-Result<std::vector<Eigen::Vector2d>> detect_chessboard(const Image& grey,
-                                                       const ChessboardTarget& board) {
+Result<DetectedCorners> detect_chessboard(const Image& grey, const ChessboardTarget& board) {
     const cv::Mat picture = opencv_view(grey);
     const cv::Size size(board.corners_across, board.corners_down);
     std::vector<cv::Point2f> corners;
@@ -52,13 +51,15 @@ Result<std::vector<Eigen::Vector2d>> detect_chessboard(const Image& grey,
                          std::to_string(spacing) + " px apart.",
                      "Bring it nearer."};
     }
-    const int half = std::max(2, static_cast<int>(std::lround(window_share * spacing)));
-    cv::cornerSubPix(picture, corners, cv::Size(half, half), cv::Size(-1, -1),
-                     cv::TermCriteria(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 100, 1e-4));
-    std::vector<Eigen::Vector2d> result;
-    result.reserve(corners.size());
-    for (const cv::Point2f& corner : corners) {
-        result.emplace_back(corner.x, corner.y);
+    DetectedCorners result;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        result.push_back({static_cast<int>(i), {corners[i].x, corners[i].y}});
+    }
+    const std::size_t all = result.size();
+    refine_corners(grey, result);
+    if (result.size() < all) {
+        return Error{"The chessboard's corners are too blurred to be measured.",
+                     "Hold it still and focus."};
     }
     return result;
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "core/base/result.h"
+#include "core/calibration/detected_corners.h"
 #include "core/calibration/target.h"
 #include "core/image/image.h"
 
@@ -14,7 +12,6 @@ namespace kambara {
 /// all in the reverse order: a half turn of the board). The window in which a corner is refined is
 /// 0.3 of the distance to its neighbours, so that it holds one corner only, near or far. Refuses a
 /// picture in which the whole board is not found, or in which it is too small to be measured.
-Result<std::vector<Eigen::Vector2d>> detect_chessboard(const Image& grey,
-                                                       const ChessboardTarget& board);
+Result<DetectedCorners> detect_chessboard(const Image& grey, const ChessboardTarget& board);
 
 }  // namespace kambara

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/camera/lens.h"
 #include "core/geometry/rigid_transform.h"
@@ -34,6 +35,9 @@ struct Provenance {
     std::string program;  ///< name and version of what wrote it
     std::optional<double> stereo_rms_px;
     std::optional<double> baseline_sigma_mm;
+    std::string settings;  ///< how it was asked for
+    std::vector<std::string>
+        pictures;  ///< what from: name and the content's hash (FNV-1a, 64 bits)
 };
 
 /// Calibrated cameras. Rig frame: origin at the left camera's optical centre, x towards the right

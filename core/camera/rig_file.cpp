@@ -186,6 +186,12 @@ Rig read_rig(const YAML::Node& root) {
         rig.provenance.stereo_rms_px = optional_number(from, "provenance.", "stereo_rms_px");
         rig.provenance.baseline_sigma_mm =
             optional_number(from, "provenance.", "baseline_sigma_mm");
+        rig.provenance.settings = text_or_empty(from, "settings");
+        if (const auto pictures = from["pictures"]; pictures && pictures.IsSequence()) {
+            for (const auto& picture : pictures) {
+                rig.provenance.pictures.push_back(picture.IsScalar() ? picture.Scalar() : "");
+            }
+        }
     }
     return rig;
 }
@@ -277,6 +283,16 @@ std::string rig_to_text(const Rig& rig) {
     }
     if (from.baseline_sigma_mm) {
         out << YAML::Key << "baseline_sigma_mm" << YAML::Value << digits(*from.baseline_sigma_mm);
+    }
+    if (!from.settings.empty()) {
+        out << YAML::Key << "settings" << YAML::Value << YAML::DoubleQuoted << from.settings;
+    }
+    if (!from.pictures.empty()) {
+        out << YAML::Key << "pictures" << YAML::Value << YAML::BeginSeq;
+        for (const std::string& picture : from.pictures) {
+            out << YAML::DoubleQuoted << picture;
+        }
+        out << YAML::EndSeq;
     }
     out << YAML::EndMap << YAML::Key << "cameras" << YAML::Value << YAML::BeginMap;
     write_camera(out, "left", rig.left);

@@ -215,6 +215,29 @@ void HtmlReport::lines(std::string_view title, std::string_view across, std::str
     body_ += "</svg>\n";
 }
 
+void HtmlReport::picture_arrows(std::string_view title, double width, double height, double stretch,
+                                const std::vector<Arrow>& arrows) {
+    const double scale = 640.0 / std::max(width, 1.0);
+    const double top = 24.0;
+    body_ += "<svg width=\"642\" height=\"" + number(top + scale * height + 2.0, 0) +
+             "\" role=\"img\"><text x=\"0\" y=\"14\" font-weight=\"bold\">" + html_escaped(title) +
+             "</text><rect x=\"1\" y=\"" + number(top, 0) + "\" width=\"640\" height=\"" +
+             number(scale * height, 1) + "\" fill=\"none\" stroke=\"#8796a5\"/>\n";
+    for (const Arrow& arrow : arrows) {
+        const double x = 1.0 + scale * (arrow.x + 0.5);
+        const double y = top + scale * (arrow.y + 0.5);
+        const std::string colour = arrow.marked ? "#c4502b" : "#2f6f9f";
+        body_ += "<circle cx=\"" + number(x, 1) + "\" cy=\"" + number(y, 1) +
+                 "\" r=\"1.2\" fill=\"" + colour + "\"/>";
+        if (std::isfinite(arrow.dx) && std::isfinite(arrow.dy)) {
+            body_ += "<line x1=\"" + number(x, 1) + "\" y1=\"" + number(y, 1) + "\" x2=\"" +
+                     number(x + scale * stretch * arrow.dx, 1) + "\" y2=\"" +
+                     number(y + scale * stretch * arrow.dy, 1) + "\" stroke=\"" + colour + "\"/>\n";
+        }
+    }
+    body_ += "</svg>\n";
+}
+
 std::string HtmlReport::text() const {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>" + title_ +
            "</title><style>" + style + "</style></head>\n<body>\n<h1>" + title_ + "</h1>\n" +

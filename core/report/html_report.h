@@ -47,6 +47,17 @@ class HtmlReport {
     /// eight are told apart by their colours; the labels stand to the right.
     void lines(std::string_view title, std::string_view across, std::string_view up, double top,
                const std::vector<Series>& series);
+    struct Arrow {
+        double x = 0.0;
+        double y = 0.0;
+        double dx = 0.0;
+        double dy = 0.0;
+        bool marked = false;  ///< drawn in the second colour
+    };
+    /// Arrows in a picture of width x height, x to the right and y down, each `stretch` times as
+    /// long as it is: what is off, and where.
+    void picture_arrows(std::string_view title, double width, double height, double stretch,
+                        const std::vector<Arrow>& arrows);
 
     std::string text() const;
 

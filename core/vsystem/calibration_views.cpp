@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
-#include "core/calibration/calibrator.h"
-#include "core/calibration/chessboard_detector.h"
+#include "core/calibration/rig_calibrator.h"
+#include "core/calibration/target_detector.h"
 #include "core/camera/rig_file.h"
 
 namespace kambara {
@@ -14,14 +14,13 @@ namespace {
 constexpr std::size_t most_views = 100;
 
 // The corners, or why there are none.
-void detect(const Frame& frame, const ChessboardTarget& board,
-            std::vector<Eigen::Vector2d>& corners, std::string& fault) {
-    auto found = detect_chessboard(grey_from(*frame.picture), board);
-    if (found) {
-        corners = std::move(*found);
-    } else {
-        fault = found.error().cause;
-    }
+CameraSight sight_of(const Frame& frame, const Target& target) {
+    auto found = detect_target(grey_from(*frame.picture), target);
+    return found ? CameraSight{std::move(*found), ""} : CameraSight{{}, found.error().cause};
+}
+
+PictureSize size_of(const Frame& frame) {
+    return {frame.picture->width(), frame.picture->height()};
 }
 
 CalibrationOutcome outcome_of(const CalibrationReport& report) {
@@ -30,8 +29,8 @@ CalibrationOutcome outcome_of(const CalibrationReport& report) {
     outcome.reasons = report.reasons;
     outcome.views_used = report.views_used;
     outcome.stereo_rms_px = report.stereo_rms_px.value_or(report.rms_px);
-    outcome.baseline_mm = report.T_right_from_left.t_mm.norm();
-    if (report.verdict != CalibrationReport::Verdict::refused) {
+    outcome.baseline_mm = report.pairs[1] ? report.pairs[1]->baseline_mm : 0.0;
+    if (report.verdict != Verdict::refused) {
         outcome.rig_text = rig_to_text(report.rig);
     }
     return outcome;
@@ -54,12 +53,6 @@ Result<std::pair<Rig, CalibrationOutcome>> CalibrationViews::calibrate(const Cal
     if (!target) {
         return target.error();
     }
-    const auto* board = std::get_if<ChessboardTarget>(&*target);
-    if (board == nullptr) {
-        return Error{
-            "Calibrating with the target " + command.target + " is not in this version yet.",
-            "Use a chessboard."};
-    }
     std::vector<StereoFrame> frames;
     {
         std::lock_guard lock(mutex_);
@@ -69,28 +62,30 @@ Result<std::pair<Rig, CalibrationOutcome>> CalibrationViews::calibrate(const Cal
         return Error{"No view of the target has been captured.",
                      "Show the target to both cameras and capture some views first."};
     }
-    CalibratorOptions options;
-    options.width_px = frames.front().left.picture->width();
-    options.height_px = frames.front().left.picture->height();
-    options.stereo = frames.front().right.picture != nullptr;
-    std::vector<BoardView> views(frames.size());
+    RigCalibratorOptions options;
+    options.medium = before.medium;
+    options.cameras[0] = size_of(frames.front().left);
+    const bool stereo = frames.front().right.picture != nullptr;
+    if (stereo) {
+        options.cameras[1] = size_of(frames.front().right);
+    }
+    std::vector<RigView> views(frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        detect(frames[i].left, *board, views[i].left_px, views[i].left_fault);
-        if (options.stereo) {
-            detect(frames[i].right, *board, views[i].right_px, views[i].right_fault);
+        views[i].sights[0] = sight_of(frames[i].left, *target);
+        if (stereo) {
+            views[i].sights[1] = sight_of(frames[i].right, *target);
         }
     }
-    CalibrationReport report = calibrate_chessboard(views, *board, options);
+    CalibrationReport report = calibrate_rig(views, *target, options);
     report.rig.provenance.method =
         command.target + ", brown, " + std::to_string(report.views_used) + " views";
-    report.rig.medium = before.medium;
     if (before.pan_tilt) {
         report.rig.pan_tilt = before.pan_tilt;
         report.rig.pan_tilt->T_camera_from_rig = before.pan_tilt->T_camera_from_rig *
                                                  before.left.T_camera_from_rig.inverse() *
                                                  report.rig.left.T_camera_from_rig;
     }
-    if (report.verdict != CalibrationReport::Verdict::refused) {
+    if (report.verdict != Verdict::refused) {
         std::lock_guard lock(mutex_);
         // Views captured meanwhile stay for the next time.
         views_.erase(views_.begin(), views_.begin() + static_cast<std::ptrdiff_t>(frames.size()));

@@ -74,7 +74,7 @@ Scene::Scene(const SimulatedProfile& profile)
 
 void Scene::arrange_calibration_target(const Target& target) {
     for (const TargetPatch& patch : patches_of(target)) {
-        if (!patch.dark) {
+        if (patch.sheet) {
             sheets_.push_back(patch);
             marks_.emplace_back();
             continue;
@@ -87,9 +87,10 @@ void Scene::arrange_calibration_target(const Target& target) {
             const Eigen::Vector3d to = from + patch.across_mm + patch.down_mm;
             const Eigen::Vector3d normal = across.cross(along);
             if (std::abs(from.dot(normal)) < 1e-6 && std::abs(to.dot(normal)) < 1e-6) {
-                marks_[i].push_back(
-                    {static_cast<float>(from.dot(across)), static_cast<float>(from.dot(along)),
-                     static_cast<float>(to.dot(across)), static_cast<float>(to.dot(along))});
+                marks_[i].push_back({static_cast<float>(from.dot(across)),
+                                     static_cast<float>(from.dot(along)),
+                                     static_cast<float>(to.dot(across)),
+                                     static_cast<float>(to.dot(along)), patch.dark, patch.round});
                 break;
             }
         }
@@ -103,6 +104,15 @@ void Scene::arrange_calibration_target(const Target& target) {
         radius = std::max(radius, (corner - middle_mm_).norm());
     }
     typical_range_mm_ = std::max(600.0, 5.0 * radius);
+}
+
+bool Scene::Mark::covers(float across_mm, float down_mm) const {
+    if (across_mm < left || across_mm >= right || down_mm < top || down_mm >= bottom) {
+        return false;
+    }
+    const float u = (2.0F * across_mm - left - right) / (right - left);
+    const float v = (2.0F * down_mm - top - bottom) / (bottom - top);
+    return !round || u * u + v * v < 1.0F;
 }
 
 int Scene::seabed_at(double time_s) const {
@@ -149,7 +159,8 @@ RigidTransform Scene::T_rig_from_target(double time_s) const {
         const auto pose = static_cast<std::uint32_t>(std::floor(time_s / pose_held_s));
         std::mt19937 random(profile_.seed * 31U + pose * 101U + 5U);
         std::uniform_real_distribution<double> unit(-1.0, 1.0);
-        const bool book = std::holds_alternative<TwoPlaneTarget>(*profile_.calibration_target);
+        const auto* boxes = std::get_if<BoxTarget>(&*profile_.calibration_target);
+        const bool book = boxes != nullptr && boxes->planes.size() > 1;
         const double turn = book ? rad_from_deg(-45.0) : 0.0;  // the edge away from us
         const double range = typical_range_mm_ * (1.0 + 0.3 * unit(random));
         const Eigen::Vector3d place(225.0 + 0.12 * range * unit(random),
@@ -181,13 +192,12 @@ float Scene::sheet_grey(std::size_t sheet, float across_mm, float down_mm) const
     if (marks_.empty()) {
         return pattern_->at(across_mm, down_mm);
     }
-    for (const Mark& mark : marks_[sheet]) {
-        if (across_mm >= mark.left && across_mm < mark.right && down_mm >= mark.top &&
-            down_mm < mark.bottom) {
-            return mark_grey;
+    for (auto mark = marks_[sheet].rbegin(); mark != marks_[sheet].rend(); ++mark) {
+        if (mark->covers(across_mm, down_mm)) {
+            return mark->dark ? mark_grey : paper_grey;
         }
     }
-    return paper_grey;
+    return sheets_[sheet].dark ? mark_grey : paper_grey;
 }
 
 template <>

@@ -79,6 +79,8 @@ class Scene {
   private:
     struct Mark {
         float left, top, right, bottom;  // in a sheet's own coordinates, mm
+        bool dark, round;
+        bool covers(float across_mm, float down_mm) const;
     };
 
     void arrange_calibration_target(const Target& target);
@@ -92,7 +94,7 @@ class Scene {
     std::unique_ptr<TileTexture> seabed_[seabeds];
     std::unique_ptr<TileTexture> pattern_;
     std::vector<TargetPatch> sheets_;
-    std::vector<std::vector<Mark>> marks_;                 // dark, on each sheet
+    std::vector<std::vector<Mark>> marks_;                 // on each sheet, the topmost last
     Eigen::Vector3d middle_mm_ = Eigen::Vector3d::Zero();  // of the calibration target
     double typical_range_mm_ = 1000.0;
     std::vector<Particle> particles_;

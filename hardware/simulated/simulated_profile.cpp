@@ -133,7 +133,8 @@ std::string apply(std::string_view key, std::string_view value, SimulatedProfile
         }
         const auto target = parse_target(value);
         if (!target) {
-            return "it takes chessboard:9x6:30 or two-plane-24";
+            return "it takes chessboard:9x6:30, charuco:5x7:40:20:DICT_6X6_250, two-plane-24 or a "
+                   "target file";
         }
         profile.calibration_target = *target;
         return {};
@@ -150,7 +151,7 @@ Result<SimulatedProfile> simulated_profile(std::string_view text) {
     if (profile.name == "chessboard") {
         profile.calibration_target = ChessboardTarget{9, 6, 30.0};
     } else if (profile.name == "two-plane-24") {
-        profile.calibration_target = TwoPlaneTarget{};
+        profile.calibration_target = two_plane_24();
     } else if (profile.name != "default") {
         return refused("There is no simulated profile \"" + profile.name + "\".");
     }

@@ -15,6 +15,7 @@
 #include "core/calibration/record_table.h"
 #include "core/calibration/sample_statistics.h"
 #include "core/calibration/target.h"
+#include "core/calibration/target_file.h"
 #include "core/camera/nominal_rig.h"
 #include "core/camera/rig_file.h"
 #include "core/vsystem/serialise.h"
@@ -74,6 +75,25 @@ TEST(DocumentedExamples, TargetsAndProfilesAreUnderstood) {
     for (const std::string& line : lines_of(example("profile"))) {
         EXPECT_TRUE(simulated_profile(line)) << line;
     }
+}
+
+TEST(DocumentedExamples, TargetFilesAreRead) {
+    const auto target = target_from_text(example("target file"));
+    ASSERT_TRUE(target) << target.error().text();
+    EXPECT_EQ(std::get<BoxTarget>(*target).marks.size(), 1U);
+    for (const char* name :
+         {"target file chessboard", "target file charuco", "target file points"}) {
+        EXPECT_TRUE(target_from_text(example(name))) << name;
+    }
+    int files = 0;
+    for (const auto& entry : fs::directory_iterator(resources / "targets")) {
+        const auto read = parse_target(entry.path().string());
+        EXPECT_TRUE(read) << read.error().text();
+        ++files;
+    }
+    EXPECT_GE(files, 3);
+    EXPECT_EQ(*parse_target((resources / "targets/two-plane-24.yaml").string()),
+              Target(two_plane_24()));
 }
 
 TEST(DocumentedExamples, TheTrackTableHasTheHeaderThatIsWritten) {

@@ -89,7 +89,7 @@ TEST_F(LintTest, LetsTheSimulationSeeTheTargetButNoMoreOfCalibration) {
     write("hardware/simulated/good.h", head + "#include \"core/calibration/target.h\"\n");
     EXPECT_TRUE(faults_of_sources(root_).empty());
     EXPECT_NE(only_fault("hardware/simulated/bad.h",
-                         head + "#include \"core/calibration/calibrator.h\"\n"),
+                         head + "#include \"core/calibration/rig_calibrator.h\"\n"),
               "");
 }
 

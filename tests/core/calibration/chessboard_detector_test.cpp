@@ -50,9 +50,9 @@ TEST(ChessboardDetector, FindsTheCornersToAFiftiethOfAPixel) {
     const auto corners = detect_chessboard(board(x0, y0, square, 9, 6), {9, 6, 30.0});
     ASSERT_TRUE(corners) << corners.error().text();
     ASSERT_EQ(corners->size(), 54U);
-    const bool reversed = corners->front().x() > corners->back().x();
+    const bool reversed = corners->front().px.x() > corners->back().px.x();
     for (int i = 0; i < 54; ++i) {
-        const auto& found = (*corners)[static_cast<std::size_t>(reversed ? 53 - i : i)];
+        const auto& found = (*corners)[static_cast<std::size_t>(reversed ? 53 - i : i)].px;
         EXPECT_NEAR(found.x(), x0 + square * (i % 9), 0.02);
         EXPECT_NEAR(found.y(), y0 + square * (i / 9), 0.02);
     }

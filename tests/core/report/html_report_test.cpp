@@ -48,5 +48,15 @@ TEST(HtmlReport, PointsLieWhereTheirCoordinatesSay) {
     EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 
+// A picture of 320 px is drawn 640 wide; the arrow from its pixel (9.5, 4.5), ten times as long.
+TEST(HtmlReport, ArrowsBeginWhereTheyBelongAndAreStretched) {
+    HtmlReport report("r");
+    report.picture_arrows("off", 320, 240, 10.0, {{9.5, 4.5, 0.5, -0.25}, {1, 1, 0, 0, true}});
+    const std::string text = report.text();
+    EXPECT_NE(text.find("<line x1=\"21.0\" y1=\"34.0\" x2=\"31.0\" y2=\"29.0\""),
+              std::string::npos);
+    EXPECT_NE(text.find("#c4502b"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace kambara

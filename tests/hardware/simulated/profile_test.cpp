@@ -58,7 +58,7 @@ TEST(SimulatedProfile, ShowsCalibrationTargets) {
               Target(ChessboardTarget{9, 6, 30.0}));
     EXPECT_EQ(simulated_profile("chessboard?target=chessboard:7x5:40")->calibration_target,
               Target(ChessboardTarget{7, 5, 40.0}));
-    EXPECT_EQ(simulated_profile("two-plane-24")->calibration_target, Target(TwoPlaneTarget{}));
+    EXPECT_EQ(simulated_profile("two-plane-24")->calibration_target, Target(two_plane_24()));
 }
 
 TEST(SimulatedProfile, RefusesWhatItDoesNotKnowAndSaysWhatThereIs) {
