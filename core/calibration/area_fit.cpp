@@ -8,7 +8,7 @@
 namespace kambara {
 namespace {
 
-constexpr int most_rounds = 8;
+constexpr int most_rounds = 12;
 constexpr double settled_px = 2e-3;
 constexpr double farthest_px =
     2.0;  // from the start, and more for a long box, whose corners are sharp

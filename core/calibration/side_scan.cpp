@@ -62,7 +62,7 @@ bool SideScan::clear_of_corners(double u) const {
     }
     const int length = columns_ ? grey_.height() : grey_.width();
     const int count = columns_ ? grey_.width() : grey_.height();
-    const double reach = std::max(step_half_ + strip_px, outside_) + 1.0;
+    const double reach = step_half_ + strip_px + 1.0;
     return u >= 0.0 && u < count && edge - reach >= 0.0 && edge + reach < length - 1;
 }
 

@@ -23,7 +23,10 @@ using testing_support::true_corners_px;
 BoxScene scene_at(double range_mm) {
     BoxScene scene;
     scene.lens = nominal_rig().left.lens;
-    scene.background = scene.paper;  // no edge around the sheets, whose centre would be the mean
+    // Like both sheets: an edge around them would be centred with them.
+    scene.paper = 150.0;
+    scene.background = 142.0;
+    scene.noise = 0.5;
     scene.camera_from_target = target_pose(scene.target, {0.0, 0.0, range_mm}, 0.0, 0.0, 0.0);
     return scene;
 }

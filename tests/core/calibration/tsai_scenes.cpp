@@ -94,7 +94,7 @@ std::optional<TsaiScene> target_scene(Random& random, double distance_mm) {
     scene.options.sensor = scene.truth.lens.sensor;
     scene.options.cx_px = 319.5;
     scene.options.cy_px = 239.5;
-    const auto corners = corners_in_target_mm(TwoPlaneTarget{});
+    const auto corners = corners_in_target_mm(two_plane_24());
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& corner : corners) {
         mean += corner / static_cast<double>(corners.size());
