@@ -12,6 +12,7 @@
 #include "app/cli/calibrate_command.h"
 #include "app/cli/compare_command.h"
 #include "app/cli/convert_command.h"
+#include "app/cli/detect_command.h"
 #include "app/cli/live_command.h"
 #include "app/cli/match_command.h"
 #include "app/cli/simulate_command.h"
@@ -114,6 +115,17 @@ void add_convert(CLI::App& app, Chosen& chosen, ConvertOptions& o) {
         }
         chosen.run = [&o] { return run_convert(o); };
     });
+}
+
+void add_detect(CLI::App& app, Chosen& chosen, DetectOptions& o) {
+    CLI::App* c = app.add_subcommand("detect", "Find a calibration target in a picture");
+    c->add_option("image", o.image, "The picture")->required();
+    c->add_option("--target", o.target,
+                  "two-plane-24, chessboard:9x6:30 (inner corners, square in mm), or a target file")
+        ->required();
+    c->add_option("--stages", o.stages, "Folder for a picture of every stage");
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_detect(o); }; });
 }
 
 void add_match(CLI::App& app, Chosen& chosen, MatchOptions& o) {
@@ -252,6 +264,7 @@ int main(int argc, char** argv) {
     TrackOptions track;
     CalibrateOptions calibrate;
     ConvertOptions convert;
+    DetectOptions detect;
     MatchOptions match;
     TriangulateOptions triangulate;
     SimulateOptions simulate;
@@ -261,6 +274,7 @@ int main(int argc, char** argv) {
     add_calibrate(app, chosen, calibrate);
     add_track(app, chosen, track);
     add_triangulate(app, chosen, triangulate);
+    add_detect(app, chosen, detect);
     add_match(app, chosen, match);
     add_convert(app, chosen, convert);
     add_simulate(app, chosen, simulate);

@@ -10,7 +10,9 @@ namespace {
 
 constexpr int most_rounds = 8;
 constexpr double settled_px = 2e-3;
-constexpr double farthest_px = 2.0;
+constexpr double farthest_px =
+    2.0;  // from the start, and more for a long box, whose corners are sharp
+constexpr double farthest_of_length = 0.12;
 constexpr double least_sigma_px = 0.003;
 constexpr double widest_ring_px = 2.0;  // of light about the box
 constexpr double most_misfit = 0.08;    // of the contrast: something else than a box
@@ -111,8 +113,8 @@ double distance_outside(const Quadrilateral& box, const Point& p) {
     double farthest = -1e9;
     for (std::size_t i = 0; i < 4; ++i) {
         const Point along = (box[(i + 1) % 4] - box[i]).normalized();
-        farthest = std::max(farthest, along.y() * (p.x() - box[i].x()) -
-                                          along.x() * (p.y() - box[i].y()));
+        farthest =
+            std::max(farthest, along.y() * (p.x() - box[i].x()) - along.x() * (p.y() - box[i].y()));
     }
     return farthest;
 }
@@ -144,8 +146,7 @@ Step step_of(const Image& grey, const LightOfLevel& light, const BoxCoverage::Re
             }
             const double others_here = others.at(region.x0 + x, region.y0 + y);
             const double share = std::min(1.0, region.share(i) + others_here);
-            const double seen =
-                static_cast<double>(light[grey.at(region.x0 + x, region.y0 + y)]);
+            const double seen = static_cast<double>(light[grey.at(region.x0 + x, region.y0 + y)]);
             const double misfit = seen - (outside + share * (inside - outside));
             row.head<8>() = (inside - outside) * region.by_corners.row(i).transpose();
             row(8) = 1.0 - share;
@@ -258,6 +259,7 @@ std::optional<FittedBox> fit_area(const Image& grey, const LightOfLevel& light,
     box.corners_px = start;
     box.blur_px = options.blur_px;
     const double ring = widest_ring_px + 2.0 * options.blur_px;
+    const double farthest = farthest_px + farthest_of_length * mean_size_px(start).maxCoeff();
     double outside = 0.0;
     double inside = 255.0;
     for (const Point& p : start) {
@@ -273,8 +275,9 @@ std::optional<FittedBox> fit_area(const Image& grey, const LightOfLevel& light,
             for (const Point& p : start) {
                 const Point out = p + 1.5 * (p - middle).normalized() + Point(dx, dy);
                 outside = std::max(
-                    outside, static_cast<double>(light[grey.at(static_cast<int>(std::lround(out.x())),
-                                                               static_cast<int>(std::lround(out.y())))]));
+                    outside,
+                    static_cast<double>(light[grey.at(static_cast<int>(std::lround(out.x())),
+                                                      static_cast<int>(std::lround(out.y())))]));
             }
             const Point in = middle + Point(dx, dy);
             inside = std::min(
@@ -287,7 +290,8 @@ std::optional<FittedBox> fit_area(const Image& grey, const LightOfLevel& light,
             return std::nullopt;
         }
         const auto region = others.region_of(box.corners_px, ring, straightener);
-        const Step step = step_of(grey, light, region, others, box.corners_px, ring, outside, inside);
+        const Step step =
+            step_of(grey, light, region, others, box.corners_px, ring, outside, inside);
         if (!step.change.allFinite() || step.pixels < 20.0) {
             return std::nullopt;
         }
@@ -299,7 +303,7 @@ std::optional<FittedBox> fit_area(const Image& grey, const LightOfLevel& light,
                 move.normalize();
             }
             box.corners_px[i] += move;
-            if (!((box.corners_px[i] - start[i]).norm() < farthest_px)) {
+            if (!((box.corners_px[i] - start[i]).norm() < farthest)) {
                 return std::nullopt;
             }
         }

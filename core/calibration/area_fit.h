@@ -45,7 +45,8 @@ class BoxCoverage {
 /// Measures a box by the light of every pixel about it: corners, and light on either side, such
 /// that the share that the box covers of each pixel explains the picture (Gauss-Newton). For boxes
 /// too small for their sides to have rows of their own; `others` holds the boxes beside it, whose
-/// light it may share pixels with. Empty where it doesn't come to rest within 2 px.
+/// light it may share pixels with. Empty where it doesn't
+/// come to rest nearby.
 std::optional<FittedBox> fit_area(const Image& grey, const LightOfLevel& light,
                                   const Quadrilateral& start, const SideFitOptions& options,
                                   const BoxCoverage& others, const Straightener& straightener = {});

@@ -39,10 +39,10 @@ struct BoxDetection {
 };
 
 /// Finds the boxes of a target in a grey picture (calibration: the detection pipeline): closed edge
-/// chains, quadrilaterals, sides, grids on the target's planes, identities, and the corners measured
-/// again as the lens has them. Any boxes may be missing as long as the others tell which they are
-/// (box_identity.h); what the target's own geometry does not explain is no box of it. Refuses with a
-/// reason; `stages` is filled as far as it came. Any thread.
+/// chains, quadrilaterals, sides, grids on the target's planes, identities, and the corners
+/// measured again as the lens has them. Any boxes may be missing as long as the others tell which
+/// they are (box_identity.h); what the target's own geometry does not explain is no box of it.
+/// Refuses with a reason; `stages` is filled as far as it came. Any thread.
 Result<BoxDetection> detect_boxes(const Image& grey, const BoxTarget& target,
                                   const BoxDetectorOptions& options = {},
                                   BoxStages* stages = nullptr);

@@ -19,41 +19,41 @@ struct Step {
     int columns, rows;
 };
 constexpr std::array<Step, 4> neighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-constexpr std::array<Step, 10> farther{{{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {2, 0},
-                                        {-2, 0}, {0, 2}, {0, -2}, {0, 3}, {0, -3}}};
+constexpr std::array<Step, 10> farther{
+    {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {2, 0}, {-2, 0}, {0, 2}, {0, -2}, {0, 3}, {0, -3}}};
 
-class Grower {
+// One grid, grown from one box.
+class Growth {
   public:
-    Grower(std::vector<Quadrilateral>& boxes, const BoxGridOptions& options)
-        : boxes_(boxes), options_(options), taken_(boxes.size(), false) {
-        for (const Quadrilateral& b : boxes) {
-            centres_.push_back(0.25 * (b[0] + b[1] + b[2] + b[3]));
-        }
-    }
+    Growth(const std::vector<Quadrilateral>& boxes, const std::vector<Eigen::Vector2d>& centres,
+           const std::vector<bool>& taken, const BoxGridOptions& options)
+        : options_(&options), centres_(&centres), boxes_(boxes), taken_(taken) {}
 
-    std::optional<BoxGrid> grow_from(std::size_t seed) {
-        if (taken_[seed]) {
-            return std::nullopt;
-        }
+    void grow(std::size_t seed, int turn) {
+        boxes_[seed] = turned(boxes_[seed], turn);
         grid_ = {{seed, 0, 0}};
         taken_[seed] = true;
         std::size_t near = 0;
         std::size_t far = 0;
         while (near < grid_.size() || far < grid_.size()) {
-            if (near < grid_.size()) {
+            const bool is_near = near < grid_.size();
+            const GridBox from = grid_[is_near ? near++ : far++];
+            if (is_near) {
                 for (const Step& step : neighbours) {
-                    try_step(grid_[near], step);
+                    try_step(from, step);
                 }
-                ++near;
             } else {
                 for (const Step& step : farther) {
-                    try_step(grid_[far], step);
+                    try_step(from, step);
                 }
-                ++far;
             }
         }
-        return grid_;
     }
+
+    const BoxGrid& grid() const { return grid_; }
+    const std::vector<Quadrilateral>& boxes() const { return boxes_; }
+    const std::vector<bool>& taken() const { return taken_; }
+    double score() const { return score_; }
 
   private:
     bool fits(int column, int row) const {
@@ -67,12 +67,12 @@ class Grower {
             r0 = std::min(r0, g.row);
             r1 = std::max(r1, g.row);
         }
-        return c1 - c0 < options_.most_columns && r1 - r0 < options_.most_rows;
+        return c1 - c0 < options_->most_columns && r1 - r0 < options_->most_rows;
     }
 
     Eigen::Vector2d place(int column, int row, int corner) const {
-        return {column * (1.0 + options_.gap_to_width) + (corner == 1 || corner == 2 ? 1.0 : 0.0),
-                row * (1.0 + options_.gap_to_height) + (corner >= 2 ? 1.0 : 0.0)};
+        return {column * (1.0 + options_->gap_to_width) + (corner == 1 || corner == 2 ? 1.0 : 0.0),
+                row * (1.0 + options_->gap_to_height) + (corner >= 2 ? 1.0 : 0.0)};
     }
 
     // The boxes nearest in the grid foretell another one.
@@ -82,10 +82,9 @@ class Grower {
         const auto distance = [&](const GridBox& g) {
             return std::abs(g.column - column) + std::abs(g.row - row);
         };
-        std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count),
-                          near.end(), [&](const GridBox& a, const GridBox& b) {
-                              return distance(a) < distance(b);
-                          });
+        std::partial_sort(
+            near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end(),
+            [&](const GridBox& a, const GridBox& b) { return distance(a) < distance(b); });
         std::vector<Eigen::Vector2d> places;
         std::vector<Eigen::Vector2d> pixels;
         for (std::size_t i = 0; i < count; ++i) {
@@ -107,13 +106,13 @@ class Grower {
         const Quadrilateral& b = boxes_[from.box];
         const Eigen::Vector2d across = 0.5 * (b[1] - b[0] + b[2] - b[3]);
         const Eigen::Vector2d down = 0.5 * (b[3] - b[0] + b[2] - b[1]);
-        const Eigen::Vector2d at =
-            centres_[from.box] + step.columns * (1.0 + options_.gap_to_width) * across +
-            step.rows * (1.0 + options_.gap_to_height) * down;
+        const Eigen::Vector2d at = (*centres_)[from.box] +
+                                   step.columns * (1.0 + options_->gap_to_width) * across +
+                                   step.rows * (1.0 + options_->gap_to_height) * down;
         const double reach = 0.5 * (across.norm() + down.norm()) *
                              std::max(std::abs(step.columns), std::abs(step.rows));
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
-            if (!taken_[i] && (centres_[i] - at).norm() < reach) {
+            if (!taken_[i] && ((*centres_)[i] - at).norm() < reach) {
                 return true;
             }
         }
@@ -137,7 +136,7 @@ class Grower {
         const Eigen::Vector2d centre =
             0.25 * (expected[0] + expected[1] + expected[2] + expected[3]);
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
-            if (taken_[i] || !((centres_[i] - centre).norm() < tolerance)) {
+            if (taken_[i] || !(((*centres_)[i] - centre).norm() < tolerance)) {
                 continue;
             }
             const CornerMatch match = match_corners(boxes_[i], expected);
@@ -151,15 +150,24 @@ class Grower {
             boxes_[*choice] = turned(boxes_[*choice], turn);
             taken_[*choice] = true;
             grid_.push_back({*choice, column, row});
+            score_ += 1.0 - best / tolerance;
         }
     }
 
-    std::vector<Quadrilateral>& boxes_;
-    const BoxGridOptions& options_;
+    const BoxGridOptions* options_;
+    const std::vector<Eigen::Vector2d>* centres_;
+    std::vector<Quadrilateral> boxes_;
     std::vector<bool> taken_;
-    std::vector<Eigen::Vector2d> centres_;
     BoxGrid grid_;
+    double score_ = 0.0;  // how many were added, and how well they fit
 };
+
+bool clearly_upright(const Quadrilateral& b) {
+    constexpr double within = 0.9;  // cosine
+    const Eigen::Vector2d across = b[1] - b[0] + b[2] - b[3];
+    const Eigen::Vector2d down = b[3] - b[0] + b[2] - b[1];
+    return across.normalized().x() > within && down.normalized().y() > within;
+}
 
 }  // namespace
 
@@ -181,12 +189,31 @@ CornerMatch match_corners(const Quadrilateral& box, const Quadrilateral& foretol
 }
 
 std::vector<BoxGrid> grids_of(std::vector<Quadrilateral>& boxes, const BoxGridOptions& options) {
-    Grower grower(boxes, options);
+    std::vector<Eigen::Vector2d> centres;
+    for (const Quadrilateral& b : boxes) {
+        centres.push_back(0.25 * (b[0] + b[1] + b[2] + b[3]));
+    }
+    std::vector<bool> taken(boxes.size(), false);
     std::vector<BoxGrid> grids;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (auto grid = grower.grow_from(i)) {
-            grids.push_back(std::move(*grid));
+    for (std::size_t seed = 0; seed < boxes.size(); ++seed) {
+        if (taken[seed]) {
+            continue;
         }
+        // A box askew may stand on either of its sides: so that most neighbours fit best.
+        Growth best(boxes, centres, taken, options);
+        best.grow(seed, 0);
+        if (!clearly_upright(boxes[seed])) {
+            for (const int turn : {1, 3}) {
+                Growth other(boxes, centres, taken, options);
+                other.grow(seed, turn);
+                if (other.score() > best.score()) {
+                    std::swap(best, other);
+                }
+            }
+        }
+        boxes = best.boxes();
+        taken = best.taken();
+        grids.push_back(best.grid());
     }
     std::stable_sort(grids.begin(), grids.end(),
                      [](const BoxGrid& a, const BoxGrid& b) { return a.size() > b.size(); });

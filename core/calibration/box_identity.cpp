@@ -10,18 +10,21 @@ namespace {
 
 constexpr std::size_t least_boxes = 4;
 constexpr std::size_t most_pairs = 60;  // of grids that are tried
-constexpr int most_fitted = 6;          // of the placements of a pair, the best ones, fitted in full
+constexpr int most_fitted = 6;  // of the placements of a pair, the best ones, fitted in full
 // What a view may leave unexplained: an honest one leaves what its one radial term doesn't tell.
 constexpr double most_rms_px = 0.3;
 constexpr double most_rms_of_size = 0.012;
 // A rival placement counts as possible when it fits not much worse.
 constexpr double rival_factor = 3.0;
 constexpr double rival_px = 0.1;
+// Of the direction of a grid's rows along x: a plane's may be far off the target's.
+constexpr double least_upright = 0.17;
+constexpr double least_target_upright = 0.5;  // 60 degrees: 45, and what perspective adds
 
-// A grid on a plane: its first column and row stand there.
+// A grid on a plane, turned by so many quarters: its first column and row stand there.
 struct Placement {
     const BoxGrid* grid;
-    int plane, column, row;
+    int turn, plane, column, row;
 };
 
 struct Extent {
@@ -39,6 +42,16 @@ Extent extent_of(const BoxGrid& grid) {
     return {c0, r0, c1 - c0 + 1, r1 - r0 + 1};
 }
 
+// By quarter turns: what was the top right corner becomes the top left one.
+BoxGrid turned_grid(BoxGrid grid, int turn) {
+    for (int i = 0; i < turn; ++i) {
+        for (GridBox& g : grid) {
+            g = {g.box, g.row, -g.column};
+        }
+    }
+    return grid;
+}
+
 struct Candidate {
     std::vector<IdentifiedBox> boxes;
     TargetView view;
@@ -47,20 +60,21 @@ struct Candidate {
 
 class Identification {
   public:
-    Identification(std::vector<Quadrilateral>& boxes, std::vector<BoxGrid> grids,
+    Identification(const std::vector<Quadrilateral>& boxes, const std::vector<BoxGrid>& grids,
                    const BoxLayout& layout, int width_px, int height_px)
-        : boxes_(boxes), grids_(std::move(grids)), layout_(layout) {
+        : boxes_(boxes), grids_(grids), layout_(layout) {
         radial_.centre_px = {0.5 * (width_px - 1), 0.5 * (height_px - 1)};
         radial_.radius_px = radial_.centre_px.norm();
-        for (BoxGrid& grid : grids_) {
-            stand_upright(grid);
-        }
     }
 
     Result<Identity> run() {
         if (layout_.columns.size() == 1) {
             for (std::size_t i = 0; i < std::min(most_pairs, grids_.size()); ++i) {
-                try_placements(placements_of(grids_[i], 0));
+                std::vector<std::vector<Placement>> all;
+                for (const Placement& placement : placements_of(grids_[i], 0)) {
+                    all.push_back({placement});
+                }
+                try_placements(all);
                 if (!found_.empty()) {
                     break;
                 }
@@ -83,37 +97,47 @@ class Identification {
         return sum / static_cast<double>(grid.size());
     }
 
+    // The direction of a grid's rows, as its boxes' sides of both kinds have it together.
     Eigen::Vector2d across_of(const BoxGrid& grid) const {
         Eigen::Vector2d sum = Eigen::Vector2d::Zero();
         for (const GridBox& g : grid) {
-            const Quadrilateral& b = boxes_[g.box];
-            const Eigen::Vector2d across = b[1] - b[0] + b[2] - b[3];
-            const Eigen::Vector2d down = b[3] - b[0] + b[2] - b[1];
-            sum += across.normalized() + Eigen::Vector2d(down.y(), -down.x()).normalized();
+            sum += across_of(boxes_[g.box]);
         }
         return sum.normalized();
     }
-
-    // By quarter turns: what was the top right corner becomes the top left one.
-    void stand_upright(BoxGrid& grid) {
-        for (int turn = 0; turn < 3; ++turn) {
-            const Eigen::Vector2d across = across_of(grid);
-            if (across.x() >= std::abs(across.y())) {
-                return;
-            }
-            for (GridBox& g : grid) {
-                g = {g.box, g.row, -g.column};
-                boxes_[g.box] = turned(boxes_[g.box], 1);
-            }
-        }
+    static Eigen::Vector2d across_of(const Quadrilateral& b) {
+        const Eigen::Vector2d across = b[1] - b[0] + b[2] - b[3];
+        const Eigen::Vector2d down = b[3] - b[0] + b[2] - b[1];
+        return across.normalized() + Eigen::Vector2d(down.y(), -down.x()).normalized();
     }
 
-    std::vector<std::vector<Placement>> placements_of(const BoxGrid& grid, int plane) const {
-        const Extent e = extent_of(grid);
-        std::vector<std::vector<Placement>> all;
-        for (int c = 0; c + e.columns <= layout_.columns[static_cast<std::size_t>(plane)]; ++c) {
-            for (int r = 0; r + e.rows <= layout_.rows; ++r) {
-                all.push_back({{&grid, plane, c, r}});
+    // The quarter turns in which a grid may stand: a plane seen askew may look turned by more than
+    // the target is.
+    std::vector<int> turns_of(const BoxGrid& grid) const {
+        const Eigen::Vector2d across = across_of(grid);
+        std::vector<int> turns;
+        for (int turn = 0; turn < 4; ++turn) {
+            // The row's direction after the turns: down is where across was turned clockwise.
+            const double x = turn == 0   ? across.x()
+                             : turn == 1 ? -across.y()
+                             : turn == 2 ? -across.x()
+                                         : across.y();
+            if (x > least_upright) {
+                turns.push_back(turn);
+            }
+        }
+        return turns;
+    }
+
+    std::vector<Placement> placements_of(const BoxGrid& grid, int plane) const {
+        std::vector<Placement> all;
+        for (const int turn : turns_of(grid)) {
+            const Extent e = extent_of(turned_grid(grid, turn));
+            for (int c = 0; c + e.columns <= layout_.columns[static_cast<std::size_t>(plane)];
+                 ++c) {
+                for (int r = 0; r + e.rows <= layout_.rows; ++r) {
+                    all.push_back({&grid, turn, plane, c, r});
+                }
             }
         }
         return all;
@@ -139,15 +163,15 @@ class Identification {
         for (const Pair& pair : pairs) {
             const BoxGrid* left = &grids_[pair.a];
             const BoxGrid* right = &grids_[pair.b];
-            if (across_of(*left).dot(centre_of(*right) - centre_of(*left)) < 0.0) {
+            if (centre_of(*right).x() < centre_of(*left).x()) {
                 std::swap(left, right);
             }
             std::vector<std::vector<Placement>> all;
             for (int p = 0; p < static_cast<int>(layout_.columns.size()); ++p) {
                 for (int q = p + 1; q < static_cast<int>(layout_.columns.size()); ++q) {
-                    for (const auto& a : placements_of(*left, p)) {
-                        for (const auto& b : placements_of(*right, q)) {
-                            all.push_back({a[0], b[0]});
+                    for (const Placement& a : placements_of(*left, p)) {
+                        for (const Placement& b : placements_of(*right, q)) {
+                            all.push_back({a, b});
                         }
                     }
                 }
@@ -177,7 +201,7 @@ class Identification {
             const auto corners = layout_.corners_of(b.number);
             for (std::size_t i = 0; i < 4; ++i) {
                 result.points.push_back(corners[i]);
-                result.pixels.push_back(boxes_[b.box][i]);
+                result.pixels.push_back(boxes_[b.box][(i + static_cast<std::size_t>(b.turn)) % 4]);
             }
         }
         return result;
@@ -186,10 +210,12 @@ class Identification {
     std::vector<IdentifiedBox> placed(const std::vector<Placement>& placements) const {
         std::vector<IdentifiedBox> result;
         for (const Placement& p : placements) {
-            const Extent e = extent_of(*p.grid);
-            for (const GridBox& g : *p.grid) {
-                result.push_back({g.box, layout_.box_number({p.plane, p.column + g.column - e.column0,
-                                                             p.row + g.row - e.row0})});
+            const BoxGrid grid = turned_grid(*p.grid, p.turn);
+            const Extent e = extent_of(grid);
+            for (const GridBox& g : grid) {
+                const BoxPlace place{p.plane, p.column + g.column - e.column0,
+                                     p.row + g.row - e.row0};
+                result.push_back({g.box, layout_.box_number(place), p.turn});
             }
         }
         return result;
@@ -232,12 +258,21 @@ class Identification {
         return most_rms_px + most_rms_of_size * size;
     }
 
+    bool stands_upright(const std::vector<IdentifiedBox>& boxes) const {
+        Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+        for (const IdentifiedBox& b : boxes) {
+            sum += across_of(turned(boxes_[b.box], b.turn)).normalized();
+        }
+        return sum.x() > least_target_upright * sum.norm();
+    }
+
     bool fit(Candidate& candidate) const {
         const SeenPoints points = seen(candidate.boxes);
         candidate.view = fit_view_and_radial(points, radial_);
         candidate.rms = rms_px(candidate.view, points);
-        return candidate.rms <= allowed_px(candidate.boxes) &&
-               (layout_.columns.size() == 1 || seen_from_before(candidate.view.projection, points.points));
+        return candidate.rms <= allowed_px(candidate.boxes) && stands_upright(candidate.boxes) &&
+               (layout_.columns.size() == 1 ||
+                seen_from_before(candidate.view.projection, points.points));
     }
 
     std::optional<Quadrilateral> foretold(const TargetView& view, int number) const {
@@ -274,9 +309,8 @@ class Identification {
                         continue;
                     }
                     const CornerMatch match = match_corners(boxes_[i], *expected);
-                    if (match.farthest_px < 2.0 * allowed_px({{i, number}}) + 0.5) {
-                        boxes_[i] = turned(boxes_[i], match.turn);
-                        candidate.boxes.push_back({i, number});
+                    if (match.farthest_px < 2.0 * allowed_px({{i, number, 0}}) + 0.5) {
+                        candidate.boxes.push_back({i, number, match.turn});
                         used.insert(i);
                         break;
                     }
@@ -305,7 +339,8 @@ class Identification {
             first = std::min(first, flat ? place.column : place.plane);
             last = std::max(last, flat ? place.column : place.plane);
         }
-        const int end = flat ? layout_.columns[0] - 1 : static_cast<int>(layout_.columns.size()) - 1;
+        const int end =
+            flat ? layout_.columns[0] - 1 : static_cast<int>(layout_.columns.size()) - 1;
         return top == 0 && bottom == layout_.rows - 1 && first == 0 && last == end;
     }
 
@@ -333,8 +368,7 @@ class Identification {
                          "Show more of the target, evenly lit, within 45 degrees of upright."};
         }
         const bool rivals = std::any_of(found_.begin(), found_.end(), [&](const Candidate& other) {
-            return contradict(*best, other) &&
-                   other.rms < rival_factor * best->rms + rival_px &&
+            return contradict(*best, other) && other.rms < rival_factor * best->rms + rival_px &&
                    5 * other.boxes.size() >= 4 * best->boxes.size();
         });
         if (rivals || !certain(*best)) {
@@ -349,8 +383,8 @@ class Identification {
         return Identity{best->boxes, best->view, best->rms};
     }
 
-    std::vector<Quadrilateral>& boxes_;
-    std::vector<BoxGrid> grids_;
+    const std::vector<Quadrilateral>& boxes_;
+    const std::vector<BoxGrid>& grids_;
     const BoxLayout& layout_;
     RadialTerms radial_;
     std::vector<Candidate> found_;
@@ -358,9 +392,10 @@ class Identification {
 
 }  // namespace
 
-Result<Identity> identify_boxes(std::vector<Quadrilateral>& boxes, std::vector<BoxGrid> grids,
-                                const BoxLayout& layout, int width_px, int height_px) {
-    return Identification(boxes, std::move(grids), layout, width_px, height_px).run();
+Result<Identity> identify_boxes(const std::vector<Quadrilateral>& boxes,
+                                const std::vector<BoxGrid>& grids, const BoxLayout& layout,
+                                int width_px, int height_px) {
+    return Identification(boxes, grids, layout, width_px, height_px).run();
 }
 
 }  // namespace kambara

@@ -14,6 +14,7 @@ namespace kambara {
 struct IdentifiedBox {
     std::size_t box = 0;  ///< its number in the list that was given
     int number = 0;       ///< the box's own on the target
+    int turn = 0;         ///< which of its corners is the top-left one
 };
 
 struct Identity {
@@ -23,12 +24,13 @@ struct Identity {
 };
 
 /// Tells which box of the target each quadrilateral is: places grids on the target's planes, two at
-/// a time where it has several, so that one view of the whole explains all corners, and takes up the
-/// single boxes that the view foretells. The target stands within 45 degrees of upright. Refuses
-/// where too few fit, and where the boxes seen could be others: they must reach the top and the
-/// bottom row, and the first and the last plane (of a flat target, the first and the last column).
-/// The corners in `boxes` are renumbered to stand upright. Any thread.
-Result<Identity> identify_boxes(std::vector<Quadrilateral>& boxes, std::vector<BoxGrid> grids,
-                                const BoxLayout& layout, int width_px, int height_px);
+/// a time where it has several, so that one view of the whole explains all corners, and takes up
+/// the single boxes that the view foretells. The target stands within 45 degrees of upright.
+/// Refuses where too few fit, and where the boxes seen could be others: they must reach the top and
+/// the bottom row, and the first and the last plane (of a flat target, the first and the last
+/// column). Any thread.
+Result<Identity> identify_boxes(const std::vector<Quadrilateral>& boxes,
+                                const std::vector<BoxGrid>& grids, const BoxLayout& layout,
+                                int width_px, int height_px);
 
 }  // namespace kambara

@@ -19,19 +19,39 @@ double breadth_px(const Quadrilateral& box) {
     return area / std::max({1e-9, across.norm(), down.norm()});
 }
 
-std::optional<FittedBox> BoxMeasure::alone(const Quadrilateral& start) const {
-    if (auto box = fit_sides(grey_, light_, start, options_)) {
-        return box;
+std::vector<std::optional<FittedBox>> BoxMeasure::each(
+    const std::vector<Quadrilateral>& starts) const {
+    std::vector<std::optional<FittedBox>> boxes;
+    std::vector<Quadrilateral> corners = starts;
+    BoxCoverage all(grey_.width(), grey_.height(), options_.blur_px);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        boxes.push_back(fit_sides(grey_, light_, starts[i], options_));
+        if (boxes[i]) {
+            corners[i] = boxes[i]->corners_px;
+        }
+        if (breadth_px(corners[i]) < broad_px) {
+            all.add(all.region_of(corners[i], 0.0, {}), 1.0);
+        }
     }
-    if (breadth_px(start) >= broad_px) {
-        return std::nullopt;
+    // Those without rows of their own, by all their pixels; again where a neighbour stood wrong.
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            if (boxes[i] || breadth_px(corners[i]) >= broad_px) {
+                continue;
+            }
+            all.add(all.region_of(corners[i], 0.0, {}), -1.0);
+            boxes[i] = fit_area(grey_, light_, corners[i], options_, all);
+            if (boxes[i]) {
+                corners[i] = boxes[i]->corners_px;
+            }
+            all.add(all.region_of(corners[i], 0.0, {}), 1.0);
+        }
     }
-    return fit_area(grey_, light_, start, options_,
-                    BoxCoverage(grey_.width(), grey_.height(), options_.blur_px));
+    return boxes;
 }
 
-std::vector<std::optional<FittedBox>> BoxMeasure::together(
-    const std::vector<Quadrilateral>& starts, const Straightener& straightener) const {
+std::vector<std::optional<FittedBox>> BoxMeasure::together(const std::vector<Quadrilateral>& starts,
+                                                           const Straightener& straightener) const {
     std::vector<std::optional<FittedBox>> boxes(starts.size());
     std::vector<Quadrilateral> corners = starts;
     for (int round = 0; round < rounds; ++round) {

@@ -16,8 +16,8 @@ class BoxMeasure {
     BoxMeasure(const Image& grey, const LightOfLevel& light, const SideFitOptions& options)
         : grey_(grey), light_(light), options_(options) {}
 
-    /// Roughly, each by itself; by its sides where they can be measured.
-    std::optional<FittedBox> alone(const Quadrilateral& start) const;
+    /// Each by itself, from corners known to a pixel: by its sides where they can be measured.
+    std::vector<std::optional<FittedBox>> each(const std::vector<Quadrilateral>& starts) const;
 
     /// All together, from corners known well; empty where a box can't be measured.
     std::vector<std::optional<FittedBox>> together(const std::vector<Quadrilateral>& starts,

@@ -9,7 +9,7 @@
 namespace kambara {
 namespace {
 
-constexpr double least_share_of_hull = 0.8;    // a disc's largest quadrilateral has 0.64
+constexpr double least_share_of_hull = 0.69;   // a disc's largest quadrilateral has 0.64
 constexpr double least_share_of_chain = 0.75;  // of the hull's area: what a chain may lack to it
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {

@@ -13,8 +13,8 @@ namespace kambara {
 using Quadrilateral = std::array<Eigen::Vector2d, 4>;
 
 /// The quadrilateral that a chain goes round, good to about a pixel: the largest one within the
-/// chain's convex hull, less the half pixel by which the edge lies inside the chain. Empty where the
-/// chain is no convex quadrilateral, such as a disc's.
+/// chain's convex hull, less the half pixel by which the edge lies inside the chain. Empty where
+/// the chain is no convex quadrilateral, such as a disc's.
 std::optional<Quadrilateral> box_outline(const EdgeChain& chain);
 
 /// Mean width (of the first side and the one across from it) and height, px.

@@ -28,7 +28,8 @@ Eigen::Matrix<double, N + 1, N + 1> normalising(
     return T;
 }
 
-// The 3 x (N + 1) matrix that takes places to pixels: the least eigenvector of the normal equations.
+// The 3 x (N + 1) matrix that takes places to pixels: the least eigenvector of the normal
+// equations.
 template <int N>
 Eigen::Matrix<double, 3, N + 1> direct_linear(
     const std::vector<Eigen::Matrix<double, N, 1>>& places,

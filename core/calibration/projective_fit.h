@@ -16,8 +16,8 @@ Homography fit_homography(const std::vector<Eigen::Vector2d>& places,
                           const std::vector<Eigen::Vector2d>& pixels);
 
 /// The projection that takes points in space to pixels, from six pairs or more that are not
-/// coplanar (algorithm 7.1). Its sign is such that the points' third coordinates are positive, where
-/// they are all of one sign.
+/// coplanar (algorithm 7.1). Its sign is such that the points' third coordinates are positive,
+/// where they are all of one sign.
 Projection fit_projection(const std::vector<Eigen::Vector3d>& points,
                           const std::vector<Eigen::Vector2d>& pixels);
 

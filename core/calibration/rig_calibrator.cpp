@@ -8,6 +8,7 @@
 
 #include "core/calibration/calibration_gates.h"
 #include "core/calibration/held_out.h"
+#include "core/calibration/joint_adjustment.h"
 #include "core/calibration/mono_start.h"
 #include "core/calibration/view_checks.h"
 
@@ -17,9 +18,6 @@ namespace {
 constexpr std::size_t least_corners = 6;
 constexpr double rejected_above_median = 3.0;  // a view's residual, in units of the median view's
 constexpr double never_rejected_px = 0.5;
-constexpr double outlier_sigmas = 6.0;
-constexpr double never_outlier_px = 0.6;
-constexpr double k3_shows = 4.0;  // fall of the squares a camera, in units of the variance
 
 std::string rounded(double value, int decimals) {
     char text[48];
@@ -323,18 +321,20 @@ class Calibration {
     }
 
     bool adjust_together() {
-        if (!adjust(bundle_, 3.0, stop_) || !adjust(bundle_, robust_px(), stop_)) {
+        if (!adjust(bundle_, 3.0, stop_) || !adjust(bundle_, robust_px(bundle_), stop_)) {
             return not_determined();
         }
-        drop_outliers();
+        drop_outliers(bundle_);
         if (!adjust(bundle_, 0.0, stop_)) {
             return not_determined();
         }
         // A view that still fits far worse than the others is not what the others are.
-        if (drop_misfits() && !adjust(bundle_, 0.0, stop_)) {
+        if (leave_out_misfits() && !adjust(bundle_, 0.0, stop_)) {
             return not_determined();
         }
-        free_k3_where_it_shows();
+        if (options_.model == LensModel::brown && !options_.free_k3) {
+            free_k3_where_it_shows(bundle_, stop_);
+        }
         std::vector<bool> used(numbers_.size(), false);
         for (const BundleCorner& corner : bundle_.corners) {
             used[static_cast<std::size_t>(corner.view)] =
@@ -354,40 +354,6 @@ class Calibration {
         return !options_.baseline || weigh_baseline();
     }
 
-    double weighted_squares() const {
-        double sum = 0.0;
-        for (const BundleCorner& corner : bundle_.corners) {
-            const auto r = corner.used ? residual_px(bundle_, corner) : std::nullopt;
-            sum += r ? r->squaredNorm() / std::pow(corner.sigma_px, 2) : 0.0;
-        }
-        return sum;
-    }
-
-    // Keeps the third radial terms where the residuals fall by more than chance lets them.
-    void free_k3_where_it_shows() {
-        if (options_.model != LensModel::brown || options_.free_k3) {
-            return;
-        }
-        Bundle freed = bundle_;
-        for (BundleCamera& camera : freed.cameras) {
-            camera.free_k3 = true;
-        }
-        if (!adjust(freed, 0.0, stop_)) {
-            return;
-        }
-        const double before = weighted_squares();
-        std::swap(freed, bundle_);
-        const double after = weighted_squares();
-        const auto used = std::count_if(bundle_.corners.begin(), bundle_.corners.end(),
-                                        [](const BundleCorner& corner) { return corner.used; });
-        const double unknowns =
-            6.0 * static_cast<double>(numbers_.size()) + 15.0 * static_cast<double>(mono_.size());
-        const double variance = after / std::max(1.0, 2.0 * static_cast<double>(used) - unknowns);
-        if (before - after < k3_shows * static_cast<double>(mono_.size()) * variance) {
-            std::swap(freed, bundle_);
-        }
-    }
-
     bool not_determined() {
         refuse(
             "The views do not determine the cameras: show the target at more angles and "
@@ -395,75 +361,18 @@ class Calibration {
         return false;
     }
 
-    double robust_px() const {
-        std::vector<Eigen::Vector2d> residuals;
-        for (const BundleCorner& corner : bundle_.corners) {
-            if (const auto r = residual_px(bundle_, corner)) {
-                residuals.push_back(*r);
-            }
+    bool leave_out_misfits() {
+        const auto misfits = drop_misfits(bundle_);
+        for (const Misfit& misfit : misfits) {
+            report_.views_rejected.push_back(
+                {static_cast<int>(numbers_[static_cast<std::size_t>(misfit.view)]),
+                 camera_names[places_[static_cast<std::size_t>(misfit.camera)]],
+                 misfit.contradicts
+                     ? "most of its corners contradict the other cameras'"
+                     : "fits far worse than the others (" + rounded(misfit.rms_px, 2) + " px)"});
+            ++contradicting_;
         }
-        return 3.0 * std::max(0.02, robust_sigma_px(residuals));
-    }
-
-    void drop_outliers() {
-        const double far_px = std::max(never_outlier_px, outlier_sigmas / 3.0 * robust_px());
-        for (BundleCorner& corner : bundle_.corners) {
-            const auto r = residual_px(bundle_, corner);
-            corner.used = r && r->norm() <= far_px;
-        }
-    }
-
-    bool drop_misfits() {
-        // A picture each: its residual, and how much of it was left out.
-        const std::size_t cameras = places_.size();
-        std::vector<double> sums(numbers_.size() * cameras, 0.0);
-        std::vector<int> used(sums.size(), 0);
-        std::vector<int> all(sums.size(), 0);
-        for (const BundleCorner& corner : bundle_.corners) {
-            const std::size_t i = static_cast<std::size_t>(corner.view) * cameras +
-                                  static_cast<std::size_t>(corner.camera);
-            ++all[i];
-            if (corner.used) {
-                ++used[i];
-                sums[i] +=
-                    residual_px(bundle_, corner).value_or(Eigen::Vector2d(9, 9)).squaredNorm();
-            }
-        }
-        std::vector<double> rms(sums.size(), 0.0);
-        std::vector<double> known;
-        for (std::size_t i = 0; i < sums.size(); ++i) {
-            if (used[i] > 0) {
-                rms[i] = std::sqrt(sums[i] / used[i]);
-                known.push_back(rms[i]);
-            }
-        }
-        if (known.empty()) {
-            return false;
-        }
-        const double far_px = std::max(never_rejected_px, rejected_above_median * median(known));
-        bool any = false;
-        for (std::size_t v = 0; v < numbers_.size(); ++v) {
-            for (std::size_t k = 0; k < cameras; ++k) {
-                const std::size_t i = v * cameras + k;
-                if (all[i] == 0 || (rms[i] <= far_px && 10 * used[i] >= 6 * all[i])) {
-                    continue;
-                }
-                report_.views_rejected.push_back(
-                    {static_cast<int>(numbers_[v]), camera_names[places_[k]],
-                     rms[i] > far_px
-                         ? "fits far worse than the others (" + rounded(rms[i], 2) + " px)"
-                         : "most of its corners contradict the other cameras'"});
-                ++contradicting_;
-                any = true;
-                for (BundleCorner& corner : bundle_.corners) {
-                    if (corner.view == static_cast<int>(v)) {
-                        corner.used = false;
-                    }
-                }
-                break;
-            }
-        }
-        return any;
+        return !misfits.empty();
     }
 
     // The tape's baseline against the pictures'; where they agree it takes part with its weight.

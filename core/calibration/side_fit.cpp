@@ -71,8 +71,8 @@ std::optional<FittedLine> fit_line(SideScan::Edge& edge, const Straightener& str
     }
     std::nth_element(distances.begin(), distances.begin() + static_cast<long>(distances.size() / 2),
                      distances.end());
-    const double limit = std::max(
-        never_outlier_px, outlier_deviations * 1.4826 * distances[distances.size() / 2]);
+    const double limit =
+        std::max(never_outlier_px, outlier_deviations * 1.4826 * distances[distances.size() / 2]);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < straight.size(); ++i) {
         if (beside(line, straight[i]) <= limit) {

@@ -21,7 +21,8 @@ LightOfLevel light_of_level(double gamma);
 struct SideFitOptions {
     double gap_to_width = 0.5;  ///< the light gap beside a box, by its width
     double gap_to_height = 0.5;
-    double blur_px = 0.4;  ///< deviation of the picture's blur, for the share of it to stay clear of
+    double blur_px =
+        0.4;  ///< deviation of the picture's blur, for the share of it to stay clear of
     double least_contrast = 15.0;
 };
 

@@ -105,8 +105,7 @@ std::optional<SideScan::Levels> SideScan::levels(const std::vector<int>& scans) 
     }
     sums.dark /= sums.dark_count;
     sums.light /= sums.light_count;
-    sums.noise =
-        std::sqrt(std::max(0.25, dark_squares / sums.dark_count - sums.dark * sums.dark));
+    sums.noise = std::sqrt(std::max(0.25, dark_squares / sums.dark_count - sums.dark * sums.dark));
     if (sums.light - sums.dark < least_contrast_) {
         return std::nullopt;
     }
@@ -165,9 +164,9 @@ std::optional<SideScan::Edge> SideScan::edge() const {
     }
     const double per_level = across_ / (light->light - light->dark);
     edge.sigma_px = light->noise * std::sqrt(depth_in + depth_out) * per_level;
-    edge.common_sigma_px =
-        light->noise * per_level *
-        std::hypot(depth_in / std::sqrt(light->dark_count), depth_out / std::sqrt(light->light_count));
+    edge.common_sigma_px = light->noise * per_level *
+                           std::hypot(depth_in / std::sqrt(light->dark_count),
+                                      depth_out / std::sqrt(light->light_count));
     edge.dark = light->dark;
     edge.light = light->light;
     if (depth_in > step_half_ && depth_out > step_half_) {

@@ -61,14 +61,14 @@ class SideScan {
     const LightOfLevel& light_;
     const Quadrilateral& box_;
     std::size_t side_;
-    bool columns_ = false;     // scans are columns: u is x
-    Eigen::Vector2d a_, b_;    // ends as (u, v)
+    bool columns_ = false;   // scans are columns: u is x
+    Eigen::Vector2d a_, b_;  // ends as (u, v)
     double bow_ = 0.0;
-    double outward_ = 1.0;     // sign of v away from the box
-    double across_ = 1.0;      // of one px in v, what lies across the side
-    double inside_ = 0.0;      // v from the side to the opposite one
-    double outside_ = 0.0;     // v from the side to what follows the gap
-    double step_half_ = 0.0;   // half of what the step takes of a scan
+    double outward_ = 1.0;    // sign of v away from the box
+    double across_ = 1.0;     // of one px in v, what lies across the side
+    double inside_ = 0.0;     // v from the side to the opposite one
+    double outside_ = 0.0;    // v from the side to what follows the gap
+    double step_half_ = 0.0;  // half of what the step takes of a scan
     double blur_px_ = 0.0;
     double least_contrast_ = 0.0;
 };

@@ -41,9 +41,9 @@ struct StraightPoints {
     double sigma_px = 0.02;
 };
 
-/// The radial terms that make all lines straightest (plumb lines, D. Brown 1971), held near no
-/// distortion about the picture's middle where the lines do not tell: k1 within 0.3, k2 within 0.1,
-/// the centre within a twentieth of the picture's width. Least squares by Gauss-Newton.
-RadialTerms plumb_line_terms(const std::vector<StraightPoints>& lines, int width_px, int height_px);
+/// The radial terms that make all lines straightest (plumb lines, D. Brown 1971), held near `start`
+/// where the lines do not tell: k1 and k2 within 0.1, the centre within a thirtieth of the circle's
+/// radius. Least squares by Gauss-Newton, damped; `start` itself where that goes astray.
+RadialTerms plumb_line_terms(const std::vector<StraightPoints>& lines, const RadialTerms& start);
 
 }  // namespace kambara

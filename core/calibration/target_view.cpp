@@ -86,7 +86,8 @@ double rms_px(const TargetView& view, const SeenPoints& seen) {
     for (std::size_t i = 0; i < straight.size(); ++i) {
         squares += (apply(view.projection, seen.points[i]) - straight[i]).squaredNorm();
     }
-    const double rms = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, straight.size())));
+    const double rms =
+        std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, straight.size())));
     return std::isfinite(rms) ? rms : 1e9;
 }
 

@@ -38,15 +38,13 @@ double camera_level(double light, double gamma) {
 
 Image rendered(const BoxScene& scene) {
     CoverageCanvas canvas(scene.width_px, scene.height_px, scene.background);
-    for (const auto& piece : scene.behind) {
-        canvas.paint(piece.outline, piece.level);
-    }
+    canvas.paint(scene.behind);
     std::vector<CoverageCanvas::Piece> sheets;
     std::vector<CoverageCanvas::Piece> boxes;
     for (const TargetPatch& patch : patches_of(scene.target)) {
         if (patch.sheet) {
-            sheets.push_back({outline_of(scene, patch),
-                              scene.paper * (sheets.empty() ? 1.0 : second_sheet)});
+            sheets.push_back(
+                {outline_of(scene, patch), scene.paper * (sheets.empty() ? 1.0 : second_sheet)});
         } else if (!scene.hidden.contains(static_cast<int>(boxes.size()))) {
             boxes.push_back({outline_of(scene, patch), scene.ink});
         } else {
@@ -109,8 +107,11 @@ std::vector<CoverageCanvas::Piece> decoys(const BoxScene& scene, int count, std:
     };
     std::vector<Disc> taken;
     for (const TargetPatch& patch : patches_of(scene.target)) {
-        for (const Eigen::Vector2d& p : outline_of(scene, patch)) {
-            taken.push_back({p, 2.0});
+        const Polygon outline = outline_of(scene, patch);
+        const Eigen::Vector2d middle = 0.5 * (outline[0] + outline[outline.size() / 2]);
+        taken.push_back({middle, patch.sheet ? 0.0 : (outline[0] - middle).norm()});
+        for (std::size_t i = 0; patch.sheet && i < outline.size(); i += 2) {
+            taken.push_back({outline[i], 3.0});
         }
     }
     std::vector<CoverageCanvas::Piece> pieces;
@@ -130,9 +131,9 @@ std::vector<CoverageCanvas::Piece> decoys(const BoxScene& scene, int count, std:
         const double spread = uniform(0.5, 1.07);
         for (const double angle : {0.0, 2.0 * spread, 3.1416, 3.1416 + 2.0 * spread}) {
             const double bent = start + angle + uniform(-0.1, 0.1);
-            piece.outline.push_back(disc.centre + 0.5 * disc.radius * uniform(1.7, 2.0) *
-                                                      Eigen::Vector2d(std::cos(bent),
-                                                                      std::sin(bent)));
+            piece.outline.push_back(disc.centre +
+                                    0.5 * disc.radius * uniform(1.7, 2.0) *
+                                        Eigen::Vector2d(std::cos(bent), std::sin(bent)));
         }
         pieces.push_back(piece);
     }

@@ -25,7 +25,7 @@ struct BoxScene {
     double ink = 35.0;
     double background = 70.0;
     std::set<int> hidden;                        ///< boxes lost to glare: as white as the paper
-    std::vector<CoverageCanvas::Piece> behind;   ///< in the picture, painted before the target
+    std::vector<CoverageCanvas::Piece> behind;   ///< disjoint, painted before the target
     std::vector<CoverageCanvas::Piece> over_it;  ///< ... and after it
     double blur_px = 0.0;
     double gamma = 1.0;  ///< the camera's levels are 255 (light / 255)^(1 / gamma)

