@@ -229,6 +229,7 @@ RigCalibratorOptions CalibrationSession::calibrator_options() const {
 NextViewOptions CalibrationSession::next_view_options() const {
     NextViewOptions options;
     options.noise_px = content_.noise_px;
+    options.least_change_px = 3.0 * rules_.least_change_px;
     return options;
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/calibration/session/candidate_poses.h"
+#include "core/calibration/session/shot_checks.h"
 #include "core/calibration/session/view_information.h"
 
 namespace kambara {
@@ -44,13 +45,35 @@ Eigen::MatrixXd information_of(const RigGuess& guess, const Target& target,
     return sum;
 }
 
+// The target as all cameras would see it.
+RigView foreseen(const RigGuess& guess, const std::vector<Eigen::Vector3d>& corners,
+                 const RigidTransform& T_first_from_target) {
+    RigView view;
+    for (std::size_t k = 0; k < guess.places.size(); ++k) {
+        const BundleCamera& camera = guess.cameras[k];
+        const Lens lens = lens_of(camera.lens, camera.model, camera.sensor);
+        const RigidTransform T = transform_of(camera.camera_from_first) * T_first_from_target;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (const auto px = project(lens, T * corners[i])) {
+                view.sights[guess.places[k]].corners.push_back({static_cast<int>(i), *px});
+            }
+        }
+    }
+    return view;
+}
+
+bool is_new(const RigView& view, const std::vector<RigView>& kept, double least_change_px) {
+    return std::none_of(kept.begin(), kept.end(), [&](const RigView& before) {
+        return repeats(view, before, least_change_px);
+    });
+}
+
 void outline(const RigGuess& guess, const Target& target, NextView& view) {
-    const auto corners = corners_in_target_mm(target);
+    const RigView seen = foreseen(guess, corners_in_target_mm(target), view.T_left_from_target);
     for (std::size_t k = 0; k < guess.places.size(); ++k) {
         const std::size_t place = guess.places[k];
-        for (const auto& corner : corners) {
-            view.corners_px[place].push_back(pixel_in(guess, k, view.T_left_from_target, corner)
-                                                 .value_or(Eigen::Vector2d(-1, -1)));
+        for (const DetectedCorner& corner : seen.sights[place].corners) {
+            view.corners_px[place].push_back(corner.px);
         }
         for (const TargetPatch& patch : patches_of(target)) {
             if (!patch.sheet) {
@@ -92,7 +115,8 @@ std::optional<NextView> next_view(const RigGuess& guess, const Target& target,
     for (const RigidTransform& pose : candidate_poses(guess, target)) {
         const double after = left_open(
             so_far + view_information(guess, corners, block_of(pose), ids, options.noise_px), goal);
-        if (after < least) {
+        if (after < least &&
+            is_new(foreseen(guess, corners, pose), views, options.least_change_px)) {
             least = after;
             best.emplace();
             best->T_left_from_target = pose;

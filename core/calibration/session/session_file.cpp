@@ -61,7 +61,7 @@ std::vector<double> positives(const YAML::Node& node, const std::string& key, st
 
 std::string word_of(const YAML::Node& node, const std::string& key, const std::string& one,
                     const std::string& other) {
-    const std::string word = node && node.IsScalar() ? node.Scalar() : "";
+    std::string word = node && node.IsScalar() ? node.Scalar() : "";
     if (word != one && word != other) {
         throw Fault{key + " is neither " + one + " nor " + other};
     }

@@ -14,6 +14,9 @@
 namespace kambara {
 namespace {
 
+// Of a camera beside the pair that measures: it only has to aim.
+constexpr double bearing_weight = 0.1;
+
 // One camera's parameters, then the pose of what is seen.
 constexpr int pose_at = camera_parameters;
 constexpr int unknowns = camera_parameters + 6;
@@ -143,8 +146,9 @@ class Goal {
         const double f_px = pinhole_parameters(lens_of(c.lens, c.model, c.sensor)).fy_px;
         const auto from = static_cast<Eigen::Index>(camera) * camera_parameters;
         matrix_.block<camera_parameters, camera_parameters>(from, from) +=
+            (pair_ ? bearing_weight : 1.0) / (f_px * f_px) *
             there->by.leftCols<camera_parameters>().transpose() *
-            there->by.leftCols<camera_parameters>() / (f_px * f_px);
+            there->by.leftCols<camera_parameters>();
     }
 
     const RigGuess& guess_;

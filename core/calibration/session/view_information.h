@@ -30,8 +30,8 @@ Eigen::MatrixXd guess_information(const RigGuess& guess);
 /// What is to become small: for a covariance C of the open parameters, trace(C goal) is the mean
 /// square of what C does to measurements in the working volume. With left and right camera: the
 /// error of the range over the range, at the places of range_error_map. A camera that is no part of
-/// that pair counts with the error of its pixels over its focal length. Zeros where the cameras see
-/// nothing of the volume.
+/// that pair counts with the error of its pixels over its focal length; beside a pair, a tenth of
+/// that square, since it only has to aim. Zeros where the cameras see nothing of the volume.
 Eigen::MatrixXd volume_goal(const RigGuess& guess, const RangeErrorOptions& options);
 
 }  // namespace kambara
