@@ -14,6 +14,7 @@
 #include "core/calibration/point_list.h"
 #include "core/calibration/record_table.h"
 #include "core/calibration/sample_statistics.h"
+#include "core/calibration/session/calibration_session.h"
 #include "core/calibration/target.h"
 #include "core/calibration/target_file.h"
 #include "core/camera/nominal_rig.h"
@@ -94,6 +95,24 @@ TEST(DocumentedExamples, TargetFilesAreRead) {
     EXPECT_GE(files, 3);
     EXPECT_EQ(*parse_target((resources / "targets/two-plane-24.yaml").string()),
               Target(two_plane_24()));
+}
+
+TEST(DocumentedExamples, ACalibrationSessionIsResumed) {
+    const fs::path folder = fs::path(testing::TempDir()) / "documented_session";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "shots");
+    std::ofstream(folder / "session.yaml") << example("calibration session");
+    std::ofstream(folder / "state.yaml") << example("calibration session state");
+    std::ofstream(folder / "shots/0001.yaml") << example("calibration session shot");
+    std::ofstream(folder / "target.yaml") << example("target file");
+    const auto session = CalibrationSession::resume(folder, {});
+    fs::remove_all(folder);
+    ASSERT_TRUE(session) << session.error().text();
+    EXPECT_EQ(session->setup().baseline->baseline_mm, 450.0);
+    EXPECT_EQ(session->setup().cameras[1], (PictureSize{640, 480}));
+    ASSERT_EQ(session->shots().size(), 1U);
+    EXPECT_FALSE(session->shots()[0].kept);
+    EXPECT_EQ(session->shots()[0].seen.sights[0].corners.size(), 2U);
 }
 
 TEST(DocumentedExamples, TheTrackTableHasTheHeaderThatIsWritten) {
