@@ -53,7 +53,7 @@ class CalibratePointsTest : public testing::Test {
         const Rig rig = nominal_rig();
         const RigidTransform T_rig_from_target{rotation_about_y(-0.8), {0, -150, 1050}};
         std::vector<std::string> lines;
-        for (const Eigen::Vector3d& corner : corners_in_target_mm(TwoPlaneTarget{})) {
+        for (const Eigen::Vector3d& corner : corners_in_target_mm(two_plane_24())) {
             const Eigen::Vector3d in_rig = T_rig_from_target * corner;
             std::ostringstream line;
             line.precision(12);
