@@ -186,8 +186,8 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
     const SearchScope scope{expected_place(frame.left.time_ns), range_known_, lost, everywhere,
                             reach_px(frame.left.time_ns)};
     const auto measured = measure(frame, scope);
-    if (measured) {
-        see_clearness(measured->left);
+    if (measured && measured->left.quality >= options_.good_quality) {
+        see_clearness(measured->left);  // of the target, not of what is taken for it when lost
     }
     estimate_.quality = measured ? measured->left.quality : 0.0;
     if (!measured) {
@@ -231,8 +231,9 @@ void StereoTracker::note_surprise(const TargetMeasurement& measured,
 }
 
 void StereoTracker::grow_surprise() {
-    surprise_px_ = std::min(std::max(surprise_px_, 1.0) * surprise_grows,
-                            reach_by_surprise * options_.wide_radius_px);
+    // Half the picture is as good as anywhere; more would take long to forget.
+    const double most_px = 0.5 * std::max(rig_.left.width_px, rig_.left.height_px);
+    surprise_px_ = std::min(std::max(surprise_px_, 1.0) * surprise_grows, most_px);
 }
 
 // Where the target is thought to be. Once it is lost, a place in sight and at the distance it was
@@ -431,6 +432,7 @@ void StereoTracker::refresh_template(const TargetMeasurement& measured, const St
 
 void StereoTracker::miss(const std::string& why) {
     become(TrackState::lost, why);
+    options_.search.method = clear_method_;  // what was last seen may not have been the target
     grow_surprise();
     if (frames_in_state_ >= options_.give_up_frames) {
         started_ = false;

@@ -36,7 +36,7 @@ struct SimulatedProfile {
         0.0;  ///< after so many seconds another seabed lies behind, then the first again
     double nearest_mm = 1350.0;   ///< of the moving target's path, along the rig's z axis
     double farthest_mm = 2550.0;  ///< likewise
-    std::int64_t frames = -1;  ///< the source ends after so many; -1: never
+    std::int64_t frames = -1;     ///< the source ends after so many; -1: never
     /// A calibration target shown in still poses, a second each, instead of the moving target.
     std::optional<Target> calibration_target;
 };
