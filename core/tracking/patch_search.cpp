@@ -30,6 +30,7 @@ constexpr double farthest_refinement_px = 2.0;  // what wanders farther was anot
 
 // By the noise of the recordings that the quality was fitted to: the model knows of that.
 constexpr double usual_kept = 0.95;
+constexpr int least_judged_px = 12;
 
 struct Found {
     PatchMatch match;
@@ -168,6 +169,9 @@ double freed_of_noise(PatchMatch& match, double whole_pixel_likeness, const Rend
     const Eigen::Vector2d at = match.pixel - drawn.centre;
     const Rectangle place{static_cast<int>(std::lround(at.x())),
                           static_cast<int>(std::lround(at.y())), inner.width, inner.height};
+    if (std::min(inner.width, inner.height) < least_judged_px) {
+        return whole_pixel_likeness;  // what is left of a patch at the picture's edge
+    }
     const double clear = likeness_kept(method, drawn.picture, inner, grey, place) / usual_kept;
     // No piece has kept less than it shows: fine texture is taken for noise by some part.
     const double kept = std::min(1.0, std::max({clear, match.likeness, whole_pixel_likeness}));
