@@ -10,6 +10,7 @@ namespace kambara {
 namespace {
 
 constexpr double least_kept = 0.5;
+constexpr double most_noise_grey = 4.0;  // cameras have less; more of it is fine texture
 constexpr double rounding_variance = 1.0 / 12.0;
 
 // What smoothing by 1 px leaves of white noise's variance: the sum of the squared weights.
@@ -35,7 +36,7 @@ double variance_of(const Image& picture, const Rectangle& r, Transform transform
 // The share of it that is not noise.
 double signal_share(const Image& picture, const Rectangle& r, Transform transform) {
     const double variance = variance_of(picture, r, transform);
-    const double noise = noise_grey(picture, r);
+    const double noise = std::min(noise_grey(picture, r), most_noise_grey);
     const double kept = transform == Transform::none ? 1.0 : smoothed_variance;
     const double of_noise =
         noise * noise * kept + (transform == Transform::none ? 0.0 : rounding_variance);

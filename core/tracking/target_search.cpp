@@ -147,11 +147,12 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
     }
     auto anywhere =
         search_epipolar(patch, rig, grey, options.range, options.band_px, options.search);
-    if (best && (!anywhere || anywhere->quality <= best->quality ||
-                 leaps(rig, options, scope, left, *anywhere))) {
-        return best;
+    if (!best || (anywhere && anywhere->quality > best->quality &&
+                  (best->likeness < options.seen_likeness ||
+                   !leaps(rig, options, scope, left, *anywhere)))) {
+        return anywhere;
     }
-    return anywhere;
+    return best;
 }
 
 }  // namespace
