@@ -10,6 +10,7 @@
 
 #include "app/cli/bench_rows.h"
 #include "app/cli/terminal.h"
+#include "core/base/median.h"
 #include "core/matching/correlator.h"
 
 namespace kambara::cli {
@@ -48,12 +49,7 @@ Medians measure(const BenchRow& row) {
         ours.push_back(time_us(row.ours, our_times));
         theirs.push_back(time_us(row.opencv, their_times));
     }
-    const auto median = [](std::vector<double>& values) {
-        const auto middle = values.begin() + repetitions / 2;
-        std::nth_element(values.begin(), middle, values.end());
-        return *middle;
-    };
-    return {median(ours), median(theirs)};
+    return {median(std::move(ours)), median(std::move(theirs))};
 }
 
 std::optional<double> bar_of(const BenchRow& row) {

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <limits>
 
+#include "core/base/median.h"
 #include "core/tracking/stereo_tracker.h"
 
 namespace kambara::cli {
@@ -147,9 +148,7 @@ double time_of_method_ms(const CompareScene& scene, const MatchMethod& method) {
     if (spent_ms.empty()) {
         return std::numeric_limits<double>::quiet_NaN();
     }
-    const auto middle = spent_ms.begin() + static_cast<std::ptrdiff_t>(spent_ms.size() / 2);
-    std::nth_element(spent_ms.begin(), middle, spent_ms.end());
-    return *middle;
+    return median(std::move(spent_ms));
 }
 
 }  // namespace kambara::cli

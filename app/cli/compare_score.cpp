@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/compare_score.h"
+#include "core/base/median.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,12 +10,6 @@ namespace {
 
 constexpr std::size_t least_voices = 3;
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
-double median_of(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // Number k of a sighting: left x, y, right x, y, range.
 std::optional<double> number_of(const Sighting& sighting, int k) {
@@ -39,7 +33,7 @@ std::optional<Sighting> median_sighting(const std::vector<CompareRun>& runs, std
             }
         }
         if (said.size() >= least_voices) {
-            medians[k] = median_of(said);
+            medians[k] = median(said);
         }
     }
     if (!medians[0]) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "core/calibration/box_grid.h"
 #include "core/calibration/box_identity.h"
 #include "core/calibration/box_measure.h"
@@ -21,12 +22,6 @@ constexpr double contrast_share = 0.6;  // of the chains' least contrast, at a g
 constexpr double misfit_px = 0.25;
 constexpr double misfit_of_size = 0.004;
 constexpr double misfit_medians = 6.0;
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 Image inverted(const Image& grey) {
     Image result = grey;

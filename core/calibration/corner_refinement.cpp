@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/median.h"
 #include "core/image/opencv_view.h"
 
 namespace kambara {
@@ -31,10 +32,8 @@ double noise_levels(const cv::Mat& picture) {
     if (sizes.empty()) {
         return 1.0;
     }
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
     // 36 is the sum of the weights' squares; rounding to whole levels is noise of 0.29.
-    return std::hypot(1.4826 * *middle / 6.0, 0.29);
+    return std::hypot(1.4826 * median(std::move(sizes)) / 6.0, 0.29);
 }
 
 struct Window {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/median.h"
 #include "core/calibration/mono_start.h"
 
 namespace kambara {
@@ -15,12 +16,6 @@ constexpr double never_rejected_px = 0.5;
 constexpr double outlier_sigmas = 6.0;
 constexpr double never_outlier_px = 0.6;
 constexpr double k3_shows = 4.0;  // fall of the squares a camera, in units of the variance
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 double weighted_squares(const Bundle& bundle) {
     double sum = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/mono_start.h"
+#include "core/base/median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,12 +129,7 @@ double robust_sigma_px(const std::vector<Eigen::Vector2d>& residuals) {
         sizes.push_back(std::abs(r.x()));
         sizes.push_back(std::abs(r.y()));
     }
-    if (sizes.empty()) {
-        return 0.0;
-    }
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return 1.4826 * *middle;
+    return 1.4826 * median(std::move(sizes));
 }
 
 MonoResult calibrate_mono(const std::vector<Eigen::Vector3d>& target_mm,

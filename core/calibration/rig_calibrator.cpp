@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/base/median.h"
 #include "core/calibration/calibration_gates.h"
 #include "core/calibration/held_out.h"
 #include "core/calibration/joint_adjustment.h"
@@ -23,12 +24,6 @@ std::string rounded(double value, int decimals) {
     char text[48];
     std::snprintf(text, sizeof text, "%.*f", decimals, value);
     return text;
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 class Calibration {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "core/calibration/side_scan.h"
 
 namespace kambara {
@@ -69,10 +70,8 @@ std::optional<FittedLine> fit_line(SideScan::Edge& edge, const Straightener& str
     for (const auto& p : straight) {
         distances.push_back(beside(line, p));
     }
-    std::nth_element(distances.begin(), distances.begin() + static_cast<long>(distances.size() / 2),
-                     distances.end());
     const double limit =
-        std::max(never_outlier_px, outlier_deviations * 1.4826 * distances[distances.size() / 2]);
+        std::max(never_outlier_px, outlier_deviations * 1.4826 * median(std::move(distances)));
     std::size_t kept = 0;
     for (std::size_t i = 0; i < straight.size(); ++i) {
         if (beside(line, straight[i]) <= limit) {

@@ -4,11 +4,12 @@
 #include <yaml-cpp/yaml.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
+#include "core/base/digits.h"
 #include "core/base/text_file.h"
+#include "core/calibration/yaml_fields.h"
 
 namespace kambara {
 namespace {
@@ -16,25 +17,14 @@ namespace {
 constexpr int file_version = 1;
 constexpr const char* remedy = "Mend the file, or start from one of those in resources/targets.";
 
-// Thrown inside this file and turned into an Error at the door, where the file is known.
-struct Fault {
-    std::string what;
-};
+using calibration_yaml::Fault;
+using calibration_yaml::number_of;
 
 YAML::Node child(const YAML::Node& node, const std::string& key) {
     if (!node.IsMap() || !node[key]) {
         throw Fault{key + " is missing"};
     }
     return node[key];
-}
-
-double number_of(const YAML::Node& node, const std::string& key) {
-    double value = 0.0;
-    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) ||
-        !(std::abs(value) <= 1e6)) {
-        throw Fault{key + " is not a sensible number"};
-    }
-    return value;
 }
 
 double number(const YAML::Node& node, const std::string& key, double otherwise) {
@@ -181,13 +171,6 @@ Target read_target(const YAML::Node& root) {
         throw Fault{"content can't be: " + why};
     }
     return target;
-}
-
-// The shortest text that reads back as the same number.
-std::string digits(double value) {
-    char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value == 0.0 ? 0.0 : value).ptr;
-    return {text, end};
 }
 
 class Writer {

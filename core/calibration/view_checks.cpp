@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/view_checks.h"
+#include "core/base/median.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -54,12 +55,6 @@ double transfer_rms_px(const std::vector<Eigen::Vector3d>& target_mm, const Mono
         sum += r ? std::min(r->squaredNorm(), 1e6) : 1e6;
     }
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, b.kept[view].size())));
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 }  // namespace

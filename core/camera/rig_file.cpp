@@ -3,10 +3,10 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <charconv>
 #include <cmath>
 #include <vector>
 
+#include "core/base/digits.h"
 #include "core/base/text_file.h"
 
 namespace kambara {
@@ -196,12 +196,7 @@ Rig read_rig(const YAML::Node& root) {
     return rig;
 }
 
-// The shortest text that reads back as the same number; a zero has no sign.
-std::string digits(double value) {
-    char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value == 0.0 ? 0.0 : value).ptr;
-    return {text, end};
-}
+using kambara::digits;
 
 std::vector<std::string> digits(const std::vector<double>& values) {
     std::vector<std::string> texts;

@@ -172,7 +172,13 @@ double freed_of_noise(PatchMatch& match, double whole_pixel_likeness, const Rend
     if (std::min(inner.width, inner.height) < least_judged_px) {
         return whole_pixel_likeness;  // what is left of a patch at the picture's edge
     }
-    const double clear = likeness_kept(method, drawn.picture, inner, grey, place) / usual_kept;
+    const auto kept_by = [&](Transform transform) {
+        return likeness_kept({method.measure, transform}, drawn.picture, inner, grey, place);
+    };
+    match.clearness = kept_by(Transform::none);
+    const double clear =
+        (method.transform == Transform::none ? match.clearness : kept_by(method.transform)) /
+        usual_kept;
     // No piece has kept less than it shows: fine texture is taken for noise by some part.
     const double kept = std::min(1.0, std::max({clear, match.likeness, whole_pixel_likeness}));
     if (match.distinctness < 1.0) {
@@ -183,8 +189,6 @@ double freed_of_noise(PatchMatch& match, double whole_pixel_likeness, const Rend
     }
     match.likeness /= kept;
     match.likeness_kept = kept;
-    match.clearness =
-        likeness_kept({method.measure, Transform::none}, drawn.picture, inner, grey, place);
     return whole_pixel_likeness / kept;
 }
 

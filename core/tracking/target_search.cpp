@@ -127,15 +127,14 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
     if (scope.range_known) {
         const double range_mm =
             (scope.expected_in_rig_mm - rig.left.T_camera_from_rig.centre_mm()).norm();
-        best = search_epipolar(patch, rig, grey, bounds_about(rig, options, left.pixel, range_mm),
-                               options.band_px, options.search);
+        const RangeBounds near_by = bounds_about(rig, options, left.pixel, range_mm);
+        best = search_epipolar(patch, rig, grey, near_by, options.band_px, options.search);
         if (best && best->quality >= options.good_quality) {
             return best;
         }
         // Two dim pictures may have too little in common where a look freed of noise has enough.
         if (look != nullptr && left.clearness < options.clear_clearness) {
-            auto by_look = search_epipolar_for(*look, left.pixel, rig, grey,
-                                               bounds_about(rig, options, left.pixel, range_mm),
+            auto by_look = search_epipolar_for(*look, left.pixel, rig, grey, near_by,
                                                options.band_px, options.search);
             if (by_look && (!best || by_look->quality > best->quality)) {
                 best = std::move(by_look);

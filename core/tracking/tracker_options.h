@@ -25,7 +25,7 @@ struct TrackerOptions {
     /// by zncc; and not any more.
     double dim_clearness = 0.90;
     double clear_clearness = 0.93;
-    double update_likeness = 0.93;     ///< a fresh template is cut when all fit worse than this
+    double update_likeness = 0.93;     ///< a fresh template is cut when what decides fits worse
     double seen_likeness = 0.50;       ///< what is so alike is not lost, however probable
     double blend_share = 0.1;          ///< of a new picture in the mean of what was seen of late
     double update_agreement_px = 3.0;  ///< so far at most may the first template see it elsewhere

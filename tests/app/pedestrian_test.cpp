@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/base/median.h"
 #include "tests/support/box_sequence.h"
 
 namespace kambara {
@@ -28,10 +29,10 @@ TEST(Pedestrian, IsFollowedWithItsSizeFromNineStarts) {
         nears.push_back(score.near);
     }
     std::printf("overlap %.3f (worst %.3f), within 20 px in %.1f %% (worst %.1f %%)\n",
-                median_of(overlaps), *std::min_element(overlaps.begin(), overlaps.end()),
-                100.0 * median_of(nears), 100.0 * *std::min_element(nears.begin(), nears.end()));
-    EXPECT_GE(median_of(overlaps), 0.70);
-    EXPECT_GE(median_of(nears), 0.95);
+                median(overlaps), *std::min_element(overlaps.begin(), overlaps.end()),
+                100.0 * median(nears), 100.0 * *std::min_element(nears.begin(), nears.end()));
+    EXPECT_GE(median(overlaps), 0.70);
+    EXPECT_GE(median(nears), 0.95);
 }
 
 }  // namespace

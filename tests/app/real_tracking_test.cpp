@@ -3,12 +3,12 @@
 // never taken for one of them.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "core/base/median.h"
 #include "tests/support/process.h"
 
 namespace kambara {
@@ -56,11 +56,6 @@ class RealTracking : public testing::Test {
 
     fs::path folder_;
 };
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values.empty() ? 0.0 : values[values.size() / 2];
-}
 
 // The median place over the frames of a span in which it is tracked, and how many these are.
 struct Place {

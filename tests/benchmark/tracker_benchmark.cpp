@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/median.h"
 #include "tests/support/box_sequence.h"
 
 namespace {
@@ -91,8 +92,8 @@ int main(int argc, char** argv) {
                 "within 20 px", "ms");
     for (const auto& [name, of] : all) {
         std::printf("%-6s %10.3f (%.3f) %12.1f %% (%.1f) %10.2f\n", name.c_str(),
-                    median_of(of.overlap), worst_of(of.overlap), median_of(of.near),
-                    worst_of(of.near), median_of(of.ms));
+                    median(of.overlap), worst_of(of.overlap), median(of.near), worst_of(of.near),
+                    median(of.ms));
     }
     return 0;
 }

@@ -118,9 +118,4 @@ std::vector<std::optional<Box>> followed(const BoxSequence& sequence, const Box&
     return found;
 }
 
-double median_of(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values.empty() ? 0.0 : values[values.size() / 2];
-}
-
 }  // namespace kambara::testing_support

@@ -47,6 +47,4 @@ std::vector<Box> nine_starts(const BoxSequence& sequence);
 std::vector<std::optional<Box>> followed(const BoxSequence& sequence, const Box& first,
                                          const TrackerOptions& options = {});
 
-double median_of(std::vector<double> values);
-
 }  // namespace kambara::testing_support

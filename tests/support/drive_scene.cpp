@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 
+#include "core/base/median.h"
 #include "core/matching/matcher.h"
 #include "core/matching/peak.h"
 #include "tests/support/real_scenes.h"
@@ -95,15 +95,6 @@ std::optional<Eigen::Vector2d> found_near(const Drive& drive, std::size_t a,
         {whole.x() - reach_px, whole.y() - reach_px, 2 * reach_px + 1, 2 * reach_px + 1});
 }
 
-double median_of(std::vector<double> values) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 // How far the next frame's things are from where the poses say: the median over a grid.
 Eigen::Vector2d drift_to_next(const Drive& drive, std::size_t a) {
     constexpr int grid_px = 24;
@@ -121,7 +112,7 @@ Eigen::Vector2d drift_to_next(const Drive& drive, std::size_t a) {
             }
         }
     }
-    return {median_of(across), median_of(down)};
+    return {median(across), median(down)};
 }
 
 // Whether the frame before shows it where something standing still would be.

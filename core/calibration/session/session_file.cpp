@@ -4,12 +4,13 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/digits.h"
 #include "core/base/text_file.h"
 #include "core/calibration/target_file.h"
+#include "core/calibration/yaml_fields.h"
 #include "core/camera/rig_file.h"
 
 namespace kambara {
@@ -19,26 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* remedy = "Mend the file, or begin a new session in another folder.";
 
-// Thrown inside this file and turned into an Error at the door.
-struct Fault {
-    std::string what;
-};
-
-// The shortest text that reads back as the same number.
-std::string digits(double value) {
-    char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value == 0.0 ? 0.0 : value).ptr;
-    return {text, end};
-}
-
-double number_of(const YAML::Node& node, const std::string& key) {
-    double value = 0.0;
-    if (!node || !node.IsScalar() || !YAML::convert<double>::decode(node, value) ||
-        !(std::abs(value) <= 1e6)) {
-        throw Fault{key + " is not a sensible number"};
-    }
-    return value;
-}
+using calibration_yaml::Fault;
+using calibration_yaml::number_of;
 
 double positive(const YAML::Node& node, const std::string& key) {
     const double value = number_of(node, key);

@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/session/shot_checks.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <utility>
 #include <vector>
 
+#include "core/base/median.h"
 #include "core/calibration/session/stillness.h"
 #include "core/calibration/target_detector.h"
 
 namespace kambara {
 namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 std::string tenths(double value) {
     char text[32];

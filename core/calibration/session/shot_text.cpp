@@ -1,34 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <yaml-cpp/yaml.h>
 
-#include <charconv>
 #include <cmath>
 
+#include "core/base/digits.h"
 #include "core/calibration/session/session_file.h"
+#include "core/calibration/yaml_fields.h"
 
 namespace kambara {
 namespace {
 
-// Thrown inside this file and turned into an Error at the door.
-struct Fault {
-    std::string what;
-};
-
-// The shortest text that reads back as the same number.
-std::string digits(double value) {
-    char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value == 0.0 ? 0.0 : value).ptr;
-    return {text, end};
-}
-
-double number_of(const YAML::Node& node, const std::string& what) {
-    double value = 0.0;
-    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) ||
-        !(std::abs(value) <= 1e6)) {
-        throw Fault{what + " is not a sensible number"};
-    }
-    return value;
-}
+using calibration_yaml::Fault;
+using calibration_yaml::number_of;
 
 DetectedCorner corner_of(const YAML::Node& node, const std::string& what, int corners) {
     if (!node.IsSequence() || node.size() != 5) {

@@ -33,6 +33,13 @@ TsaiVector scales_of(const TsaiView& truth) {
     return scale;
 }
 
+double largest_relative_error(const TsaiReport& report, const TsaiScene& scene) {
+    return error_of(report.view, scene.truth)
+        .cwiseQuotient(scales_of(scene.truth))
+        .cwiseAbs()
+        .maxCoeff();
+}
+
 TEST(TsaiCalibrator, WithoutNoiseEveryParameterComesOutExactly) {
     Random random(7);
     double worst = 0.0;
@@ -40,10 +47,7 @@ TEST(TsaiCalibrator, WithoutNoiseEveryParameterComesOutExactly) {
         const TsaiScene scene = any_scene(random);
         const auto report = calibrate_tsai(scene.points, scene.options);
         ASSERT_TRUE(report) << run << ": " << report.error().text();
-        const double error = error_of(report->view, scene.truth)
-                                 .cwiseQuotient(scales_of(scene.truth))
-                                 .cwiseAbs()
-                                 .maxCoeff();
+        const double error = largest_relative_error(*report, scene);
         EXPECT_LE(error, 1e-8) << run;
         EXPECT_TRUE(report->outliers.empty()) << run;
         worst = std::max(worst, error);
@@ -142,10 +146,7 @@ TEST(TsaiCalibrator, APlaneTellsAllButTheScaleFactor) {
         const TsaiScene scene = on_a_plane(any_scene(random), random);
         const auto report = calibrate_tsai(scene.points, scene.options);
         ASSERT_TRUE(report) << run << ": " << report.error().text();
-        const double error = error_of(report->view, scene.truth)
-                                 .cwiseQuotient(scales_of(scene.truth))
-                                 .cwiseAbs()
-                                 .maxCoeff();
+        const double error = largest_relative_error(*report, scene);
         EXPECT_LE(error, 1e-8) << run;
         EXPECT_EQ(report->sigma[tsai::s_x], 0.0);
         worst = std::max(worst, error);

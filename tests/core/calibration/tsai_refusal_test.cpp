@@ -14,7 +14,6 @@
 namespace kambara {
 namespace {
 
-using testing_support::any_scene;
 using testing_support::cramer_rao_sigma;
 using testing_support::error_of;
 using testing_support::Random;
