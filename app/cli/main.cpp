@@ -63,7 +63,9 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
         ->capture_default_str()
         ->check(CLI::Range(0.1, 1000.0));
     c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")->capture_default_str();
-    c->add_option("--transform", o.transform, "none, gauss, rank3, rank5, census, sdog or gradient")
+    c->add_option("--transform", o.transform,
+                  "none, gauss, rank3, rank5, census, sdog or gradient; with zncc, none turns to "
+                  "gauss while noise is much")
         ->capture_default_str();
     c->add_option("--temporal", o.temporal,
                   "Filter the pictures over time first: median:N or mean:N, N up to 15; for still "
