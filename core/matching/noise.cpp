@@ -9,7 +9,6 @@
 namespace kambara {
 namespace {
 
-constexpr double least_kept = 0.5;
 constexpr double most_noise_grey = 4.0;  // cameras have less; more of it is fine texture
 constexpr double rounding_variance = 1.0 / 12.0;
 
@@ -79,7 +78,7 @@ double likeness_kept(const MatchMethod& method, const Image& templ, const Rectan
     }
     const double both =
         signal_share(templ, inner, method.transform) * signal_share(grey, place, method.transform);
-    return both < least_kept * least_kept ? 1.0 : std::sqrt(both);
+    return std::sqrt(both);
 }
 
 }  // namespace kambara

@@ -16,9 +16,9 @@ double noise_grey(const Image& grey, const Rectangle& rectangle);
 /// By how much noise lowers the likeness of two pieces of pictures that would be alike without it:
 /// a zero-mean correlation falls by the root of the share of the variance that is no noise, in each
 /// of the two (Spearman's attenuation), where noise is taken to be 4 grey levels at most. From 1
-/// down to 0.5; 1 where it would be less, since nothing can be told of what is next to nothing but
-/// noise, and for measures and transforms where no such law holds. `templ` and `grey` hold the
-/// pieces `inner` and `place`, of one size, and the transform's margin about them where they can.
+/// down to 0, which is noise alone; 1 for measures and transforms where no such law holds. `templ`
+/// and `grey` hold the pieces `inner` and `place`, of one size, and the transform's margin about
+/// them where they can.
 double likeness_kept(const MatchMethod& method, const Image& templ, const Rectangle& inner,
                      const Image& grey, const Rectangle& place);
 

@@ -30,6 +30,9 @@ constexpr double farthest_refinement_px = 2.0;  // what wanders farther was anot
 
 // By the noise of the recordings that the quality was fitted to: the model knows of that.
 constexpr double usual_kept = 0.95;
+constexpr double usual_kept_smoothed = 0.99;
+// Nothing can be told of what is next to nothing but noise.
+constexpr double least_kept = 0.5;
 constexpr int least_judged_px = 12;
 
 struct Found {
@@ -176,11 +179,15 @@ double freed_of_noise(PatchMatch& match, double whole_pixel_likeness, const Rend
         return likeness_kept({method.measure, transform}, drawn.picture, inner, grey, place);
     };
     match.clearness = kept_by(Transform::none);
-    const double clear =
-        (method.transform == Transform::none ? match.clearness : kept_by(method.transform)) /
-        usual_kept;
+    const bool smoothed = method.transform != Transform::none;
+    const double clear = smoothed ? kept_by(method.transform) : match.clearness;
+    const double usual = smoothed ? usual_kept_smoothed : usual_kept;
+    if (clear < least_kept) {
+        return whole_pixel_likeness;
+    }
     // No piece has kept less than it shows: fine texture is taken for noise by some part.
-    const double kept = std::min(1.0, std::max({clear, match.likeness, whole_pixel_likeness}));
+    const double kept =
+        std::min(1.0, std::max({clear / usual, match.likeness, whole_pixel_likeness}));
     if (match.distinctness < 1.0) {
         match.distinctness /= kept;
     }
