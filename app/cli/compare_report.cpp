@@ -57,15 +57,15 @@ std::string extent_of(const SceneResult& result) {
 std::string explained(const SceneResult& result) {
     if (result.scene.has_truth()) {
         return "On target: Tracking, and within 3 px of the truth in every picture. Off target: "
-               "Tracking, but farther away. Found: the best place in the left picture is on "
-               "target, "
-               "trusted or not. Errors: means over the frames on target.";
+               "Tracking, but farther away. Found: the place given in the left picture, "
+               "Tracking or Doubtful, is on target. Errors: means over the frames on target.";
     }
     return "There is no truth. Kept: what the method itself says. There and back: followed "
            "forward and, by a fresh template from where it was last seen, back to within 3 px of "
            "the same places, which drift and leaps fail but a steady mistake may pass. Agrees: "
            "within 3 px of the median of all methods, which may err together. Apart: said to be "
-           "tracked, but farther from that median. Found: the best place agrees, trusted or not.";
+           "tracked, but farther from that median. Found: the place given, Tracking or "
+           "Doubtful, agrees.";
 }
 
 Cells header_of(const SceneResult& result) {

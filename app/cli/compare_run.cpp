@@ -100,6 +100,9 @@ MatchMethod default_method() {
 }
 
 std::string label_of(const MatchMethod& method) {
+    if (method == default_method()) {
+        return to_string(method.measure) + ", smoothed where dim";
+    }
     const std::string after =
         method.transform == Transform::none ? "" : " after " + to_string(method.transform);
     const std::string sparse = method.step == 1   ? ""

@@ -21,7 +21,7 @@ std::string label_of(const MatchMethod& method);
 struct CompareRun {
     MatchMethod method;
     std::vector<std::optional<Sighting>> seen;  ///< while Tracking
-    /// The best place in the left picture, trusted or not.
+    /// The place given in the left picture, Tracking or Doubtful.
     std::vector<std::optional<Eigen::Vector2d>> best_left_px;
     std::optional<Error> refused;  ///< the template could not be taken
     /// Of a recording without a truth: followed back from where it was last seen, as in `seen`.

@@ -26,7 +26,7 @@ struct CompareScore {
     double off_target = 0.0;  ///< and away from it
     /// Followed forward and back within on_target_within_px; only of recordings without a truth.
     std::optional<double> there_and_back;
-    /// The best place in the left picture, trusted or not, is on the reference.
+    /// The place given in the left picture, Tracking or Doubtful, is on the reference.
     double found = 0.0;
     double error_px = 0.0;         ///< mean distance from the reference in the left picture
     double range_error_pct = 0.0;  ///< mean, of the reference's range; NaN with one camera
