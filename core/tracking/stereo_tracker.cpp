@@ -138,8 +138,9 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
         place_unknown_ || (lost && frames_in_state_ % frames_between_full_searches == 1);
     estimate_.forget_place();
     estimate_.frame = frame.left.index;
-    const SearchScope scope{expected_place(frame.left.time_ns), range_known_, lost, everywhere,
-                            reach_px(frame.left.time_ns)};
+    const SearchScope scope{
+        expected_place(frame.left.time_ns), range_known_, lost, everywhere, place_unknown_,
+        reach_px(frame.left.time_ns)};
     const auto measured = measure(frame, scope);
     if (measured && measured->left.quality >= options_.good_quality) {
         see_clearness(measured->left);  // of the target, not of what is taken for it when lost

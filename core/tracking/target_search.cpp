@@ -62,9 +62,12 @@ std::string doubt_of(const Rig& rig, const TrackerOptions& options, const PatchM
         return "another place where it may be looks the same";
     }
     const auto expected = rig.left.project(scope.expected_in_rig_mm);
-    if (!scope.lost && expected && (left.pixel - *expected).norm() > scope.reach_px &&
-        !is_clear(options, left)) {
+    const bool beyond_reach = expected && (left.pixel - *expected).norm() > scope.reach_px;
+    if (beyond_reach && !scope.lost && !is_clear(options, left)) {
         return "what looks most like it is not where it may be";
+    }
+    if (beyond_reach && scope.lost && !scope.anywhere) {
+        return "what looks like it is farther away than it can have gone";
     }
     return {};
 }

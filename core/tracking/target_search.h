@@ -31,6 +31,7 @@ struct SearchScope {
     bool range_known = false;
     bool lost = false;        ///< nothing is known of late: only a clear match counts
     bool everywhere = false;  ///< when lost: look over the whole left picture
+    bool anywhere = false;    ///< when lost: nothing says how far it may have gone
     double reach_px = 24.0;   ///< how far off the expected place may be in the left picture
 };
 
