@@ -22,6 +22,7 @@ PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, QWidget* parent) : QW
     column->addWidget(pad_, 1);
     angles_ = new QLabel(this);
     angles_->setObjectName(QStringLiteral("headAngles"));
+    angles_->setWordWrap(true);
     column->addWidget(angles_);
     note_ = new QLabel(this);
     note_->setObjectName(QStringLiteral("headNote"));

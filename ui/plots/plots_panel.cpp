@@ -63,6 +63,7 @@ PlotsPanel::PlotsPanel(QWidget* parent) : QWidget(parent) {
     cursor_ = new QLabel(this);
     cursor_->setObjectName(QStringLiteral("plotCursor"));
     cursor_->setText(tr("Point at a plot to read values off."));
+    cursor_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     grid->addWidget(pause_, 2, 0, Qt::AlignLeft);
     grid->addWidget(cursor_, 2, 1, 1, 2);
     connect(&drawing_, &QTimer::timeout, this, &PlotsPanel::draw);
