@@ -441,6 +441,10 @@
 <context>
     <name>kambara::ui::CorrelationMapView</name>
     <message>
+        <source>The target is lost; there is no search to show just now.</source>
+        <translation>Das Ziel ist verloren; gerade gibt es keine Suche zu zeigen.</translation>
+    </message>
+    <message>
         <source>No search yet. Choose a target in the left picture.</source>
         <translation>Noch keine Suche. Wählen Sie ein Ziel im linken Bild.</translation>
     </message>

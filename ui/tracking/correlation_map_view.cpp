@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "ui/base/quantities.h"
@@ -22,8 +23,10 @@ CorrelationMapView::CorrelationMapView(QWidget* parent) : QWidget(parent) {
 }
 
 void CorrelationMapView::show_snapshot(const SnapshotPtr& snapshot) {
-    auto search = steered_estimate(*snapshot).search;
-    if (search != search_) {
+    const TrackEstimate estimate = steered_estimate(*snapshot);
+    auto search = estimate.search;
+    const bool was_lost = std::exchange(lost_, estimate.state == TrackState::lost);
+    if (search != search_ || lost_ != was_lost) {
         search_ = std::move(search);
         colour();
         update();
@@ -32,6 +35,7 @@ void CorrelationMapView::show_snapshot(const SnapshotPtr& snapshot) {
 
 void CorrelationMapView::clear() {
     search_.reset();
+    lost_ = false;
     image_ = {};
     update();
 }
@@ -85,7 +89,8 @@ void CorrelationMapView::paintEvent(QPaintEvent*) {
         painter.setPen(theme::faint);
         painter.drawText(rect().adjusted(margin, margin, -margin, -margin),
                          Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No search yet. Choose a target in the left picture."));
+                         lost_ ? tr("The target is lost; there is no search to show just now.")
+                               : tr("No search yet. Choose a target in the left picture."));
         return;
     }
     const int labels = painter.fontMetrics().horizontalAdvance(percent(1.0)) + 8;

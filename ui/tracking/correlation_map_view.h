@@ -32,6 +32,7 @@ class CorrelationMapView : public QWidget {
     void paint_scale(QPainter& painter, const QRect& bar) const;
 
     std::shared_ptr<const SearchDetail> search_;
+    bool lost_ = false;
     QImage image_;
     QPoint best_;
     double lowest_ = 0.0;  // of the colours' range
