@@ -95,14 +95,8 @@ class RowsAlong {
 
 void smooth(const Image& picture, const Rectangle& region, Image& out) {
     RowsAlong<smooth_radius> rows(1.0, picture, region);
-    std::vector<std::int32_t> sums(static_cast<std::size_t>(region.width));
     for (int y = 0; y < region.height; ++y) {
-        transform_rows().smooth_across(rows.about(y), rows.weights(), smooth_radius, region.width,
-                                       sums.data());
-        std::uint8_t* to = out.row(y);
-        for (std::size_t x = 0; x < sums.size(); ++x) {
-            to[x] = static_cast<std::uint8_t>((sums[x] + 8192) >> 14);
-        }
+        transform_rows().smooth_across(rows.about(y), rows.weights(), region.width, out.row(y));
     }
 }
 

@@ -107,44 +107,87 @@ void gradient(const std::uint8_t* const* rows, int count, std::uint8_t* HWY_REST
     }
 }
 
-void smooth_along(const std::uint8_t* row, const std::int16_t* weights, int radius, int count,
-                  std::int16_t* HWY_RESTRICT out) {
-    constexpr int block = 512;
-    std::uint16_t sums[block];
-    for (int start = 0; start < count; start += block) {
-        const int n = std::min(block, count - start);
-        const std::uint8_t* from = row + start;
-        const auto middle = static_cast<std::uint16_t>(weights[0]);
-        for (int x = 0; x < n; ++x) {
-            sums[x] = static_cast<std::uint16_t>(middle * from[x]);
+template <int RADIUS>
+HWY_INLINE void along(const std::uint8_t* row, const std::int16_t* weights, int count,
+                      std::int16_t* HWY_RESTRICT out) {
+    std::uint16_t w[RADIUS + 1];
+    for (int i = 0; i <= RADIUS; ++i) {
+        w[i] = static_cast<std::uint16_t>(weights[i]);
+    }
+    for (int x = 0; x < count; ++x) {
+        auto sum = static_cast<std::uint16_t>(w[0] * row[x]);
+        for (int i = 1; i <= RADIUS; ++i) {
+            const auto both = static_cast<std::uint16_t>(row[x - i] + row[x + i]);
+            sum = static_cast<std::uint16_t>(sum + static_cast<std::uint16_t>(w[i] * both));
         }
-        for (int i = 1; i <= radius; ++i) {
-            const auto weight = static_cast<std::uint16_t>(weights[i]);
-            for (int x = 0; x < n; ++x) {
-                const auto both = static_cast<std::uint16_t>(from[x - i] + from[x + i]);
-                sums[x] =
-                    static_cast<std::uint16_t>(sums[x] + static_cast<std::uint16_t>(weight * both));
-            }
-        }
-        for (int x = 0; x < n; ++x) {
-            out[start + x] = static_cast<std::int16_t>(sums[x] >> 2U);
-        }
+        out[x] = static_cast<std::int16_t>(sum >> 2U);
     }
 }
 
-void smooth_across(const std::int16_t* const* rows, const std::int16_t* weights, int radius,
-                   int count, std::int32_t* HWY_RESTRICT out) {
-    const std::int16_t* centre = rows[radius];
-    for (int x = 0; x < count; ++x) {
-        out[x] = weights[0] * centre[x];
+// The radii in use with loops of their own, which the compiler unrolls.
+void smooth_along(const std::uint8_t* row, const std::int16_t* weights, int radius, int count,
+                  std::int16_t* HWY_RESTRICT out) {
+    switch (radius) {
+        case 2:
+            return along<2>(row, weights, count, out);
+        case 3:
+            return along<3>(row, weights, count, out);
+        default:
+            return along<4>(row, weights, count, out);
     }
-    for (int j = 1; j <= radius; ++j) {
-        const std::int16_t* above = rows[radius - j];
-        const std::int16_t* below = rows[radius + j];
-        const int weight = weights[j];
-        for (int x = 0; x < count; ++x) {
-            out[x] += weight * (above[x] + below[x]);
+}
+
+// One position of what smooth_across does.
+HWY_INLINE std::uint8_t smooth_at(const std::int16_t* const* seven, const std::int16_t* weights,
+                                  int x) {
+    int sum = weights[0] * seven[3][x];
+    for (int j = 1; j <= 3; ++j) {
+        sum += weights[j] * (seven[3 - j][x] + seven[3 + j][x]);
+    }
+    return static_cast<std::uint8_t>((sum + 8192) >> 14);
+}
+
+void smooth_across(const std::int16_t* const* seven, const std::int16_t* weights, int count,
+                   std::uint8_t* HWY_RESTRICT out) {
+    int x = 0;
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+    // As larger_across, with four terms.
+    namespace hn = hwy::HWY_NAMESPACE;
+    const hn::ScalableTag<std::int16_t> d;
+    const hn::RepartitionToWide<decltype(d)> d32;
+    const hn::Rebind<std::uint8_t, decltype(d)> bytes;
+    using V = hn::Vec<decltype(d)>;
+    using V32 = hn::Vec<decltype(d32)>;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    V factors[2];
+    for (int k = 0; k < 2; ++k) {
+        std::int32_t pair;
+        std::memcpy(&pair, weights + 2 * k, sizeof(pair));
+        factors[k] = hn::BitCast(d, hn::Set(d32, pair));
+    }
+    const V32 half = hn::Set(d32, 8192);
+    for (; x + lanes <= count; x += lanes) {
+        const V terms[4] = {hn::LoadU(d, seven[3] + x),
+                            hn::Add(hn::LoadU(d, seven[2] + x), hn::LoadU(d, seven[4] + x)),
+                            hn::Add(hn::LoadU(d, seven[1] + x), hn::LoadU(d, seven[5] + x)),
+                            hn::Add(hn::LoadU(d, seven[0] + x), hn::LoadU(d, seven[6] + x))};
+        V32 low = half;
+        V32 high = half;
+        V32 unused = hn::Zero(d32);
+        for (int k = 0; k < 2; ++k) {
+            const V a = terms[2 * k];
+            const V b = terms[2 * k + 1];
+            low = hn::ReorderWidenMulAccumulate(d32, hn::InterleaveLower(d, a, b), factors[k], low,
+                                                unused);
+            high = hn::ReorderWidenMulAccumulate(d32, hn::InterleaveUpper(d, a, b), factors[k],
+                                                 high, unused);
         }
+        const V grey = hn::ReorderDemote2To(d, hn::ShiftRight<14>(low), hn::ShiftRight<14>(high));
+        hn::StoreU(hn::DemoteTo(bytes, grey), bytes, out + x);
+    }
+#endif
+    for (; x < count; ++x) {
+        out[x] = smooth_at(seven, weights, x);
     }
 }
 

@@ -16,13 +16,12 @@ struct TransformRows {
     void (*gradient)(const std::uint8_t* const* rows, int count, std::uint8_t* out);
 
     /// Weighted sums along a row: sum of weights[|i|] row[x + i] over |i| <= radius, a quarter of
-    /// it, rounded down. With weights that sum to 256: 64 times the grey level.
+    /// it, rounded down. With weights that sum to 256: 64 times the grey level. Radius 2, 3 or 4.
     void (*smooth_along)(const std::uint8_t* row, const std::int16_t* weights, int radius,
                          int count, std::int16_t* out);
-    /// The same across rows of such sums: 16384 times the grey level. rows[radius] is the middle
-    /// one.
-    void (*smooth_across)(const std::int16_t* const* rows, const std::int16_t* weights, int radius,
-                          int count, std::int32_t* out);
+    /// The same across 7 rows of such sums, and the whole as a grey level, rounded.
+    void (*smooth_across)(const std::int16_t* const* seven, const std::int16_t* weights, int count,
+                          std::uint8_t* out);
     /// 1 where the sums across 5 rows are larger than those across 9 others, else 0.
     void (*larger_across)(const std::int16_t* const* five, const std::int16_t* five_weights,
                           const std::int16_t* const* nine, const std::int16_t* nine_weights,
