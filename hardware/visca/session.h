@@ -41,9 +41,10 @@ struct Identity {
 ///                        ^                                                                  |
 ///                        '------------- network change, no answer any more ------------- ready
 ///
-/// Start-up is tried again without end. Of a message that was given to `send` exactly one last
-/// outcome comes; a command has `acknowledged` before it. What is sent again without need does no
-/// harm (a position), else it is not (a relative move, a switch to the other position).
+/// Start-up is tried again without end; a head that has answered before is first asked whether it
+/// still knows its address, which is quicker. Of a message that was given to `send` exactly one
+/// last outcome comes; a command has `acknowledged` before it. What is sent again without need does
+/// no harm (a position), else it is not (a relative move, a switch to the other position).
 class Session {
   public:
     struct Options {
@@ -52,9 +53,16 @@ class Session {
         Dialect dialect = {};
         /// Replies with another sequence number are passed over. Some cameras count wrongly.
         bool checks_sequence = true;
-        std::int64_t reply_timeout_ns = 150'000'000;
+        /// From when a packet is out until its reply must have come: the four fields of the slowest
+        /// camera known. Once replies have shown to come sooner, less is waited for the next one.
+        std::int64_t reply_timeout_ns = 80'000'000;
+        /// What a byte takes on the line.
+        std::int64_t byte_ns = 0;
+        /// So often a message is sent again.
         int repetitions = 2;
-        std::int64_t start_retry_ns = 200'000'000;
+        /// After more than `repetitions` in a row without a reply, and so long a silence, the link
+        /// is started up anew.
+        std::int64_t silence_ns = 500'000'000;
         /// Nothing new is sent so long after something that was sent twice: its second reply may
         /// still come.
         std::int64_t quiet_ns = 60'000'000;
@@ -68,7 +76,7 @@ class Session {
             completed,
             answered,    ///< with `values`
             refused,     ///< for `fault`
-            unanswered,  ///< also when repeated: the link is started up anew
+            unanswered,  ///< also when repeated
             incomplete,  ///< acknowledged, but no completion came in time
             forgotten,   ///< the link was lost, or the camera's power
         };
@@ -94,11 +102,22 @@ class Session {
     /// Something can be sent now; a command needs a free socket as well.
     bool free(std::int64_t now_ns) const;
     bool socket_free() const;
-    /// Only when free. `completion_ns`: how long a command may take.
-    Id send(const Message& message, std::int64_t now_ns,
-            std::int64_t completion_ns = 10'000'000'000);
+    struct Sending {
+        std::int64_t completion_ns = 10'000'000'000;  ///< how long a command may take
+        /// Without a reply it is sent again; else that is left to who sent it, who may know better
+        /// by then.
+        bool again = true;
+    };
+    /// Only when free.
+    Id send(const Message& message, std::int64_t now_ns, const Sending& sending);
+    Id send(const Message& message, std::int64_t now_ns) {
+        return send(message, now_ns, Sending());
+    }
     /// The socket in which it is executed; empty where it is not (any more), or not known.
     std::optional<int> socket_of(Id id) const;
+
+    /// Its socket counts as free from now on; no outcome comes.
+    void abandon(Id id);
 
     void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns);
     void tick(std::int64_t now_ns);
@@ -117,10 +136,11 @@ class Session {
         std::uint32_t sequence = 0;
         int tries = 1;
         std::int64_t deadline_ns = 0;
-        std::int64_t completion_ns = 0;
+        Sending sending;
+        std::int64_t sent_ns = 0;
     };
     struct Executing {
-        Id id = 0;  // 0: whose it is, is not known
+        Id id = 0;
         Message message;
         int socket = 0;  // 0: not known
         std::uint32_t sequence = 0;
@@ -133,6 +153,9 @@ class Session {
     void send_start_message(std::int64_t now_ns);
     void start_step_timed_out(std::int64_t now_ns);
     void transmit(const Bytes& packet, bool again = false);
+    void waiting_timed_out(std::int64_t now_ns);
+    void learn_reply_time(const Sent& sent, std::int64_t now_ns);
+    std::int64_t reply_deadline_ns(const Bytes& packet, std::int64_t now_ns) const;
     void receive_packet(std::span<const std::uint8_t> packet, Sequence sequence,
                         std::int64_t now_ns);
     void receive_control(const Datagram& datagram, std::int64_t now_ns);
@@ -144,6 +167,7 @@ class Session {
     std::vector<Executing>::iterator executing_in(int socket, Sequence sequence);
     bool is_for_waiting(Sequence sequence) const;
     Sent take_waiting(std::int64_t now_ns);
+    bool identify(const Identity& identity);
     void forget_all();
     void tell(const Sent& sent, Outcome::Kind kind);
     void tell(const Executing& executing, Outcome::Kind kind, Fault fault = Fault::syntax);
@@ -154,6 +178,12 @@ class Session {
     std::optional<Identity> identity_;
     int cameras_ = 0;
     int start_tries_ = 0;
+    int unanswered_ = 0;  // in a row
+    std::int64_t heard_ns_ = 0;
+    bool knows_address_ = false;        // as it answered, and was not powered since
+    std::optional<Identity> doubtful_;  // said once, and not what it was before
+    double reply_mean_ns_ = -1.0;       // beside the time on the line; below 0: not known
+    double reply_deviation_ns_ = 0.0;
     std::int64_t start_deadline_ns_ = 0;
     bool silence_noted_ = false;
     PacketReader reader_;

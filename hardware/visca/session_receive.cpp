@@ -10,9 +10,6 @@ namespace {
 
 using Kind = HeadNote::Kind;
 
-// Of a command that was acknowledged without our knowing which one it was.
-constexpr std::int64_t stray_patience_ns = 5'000'000'000;
-
 }  // namespace
 
 void Session::receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns) {
@@ -75,8 +72,9 @@ void Session::receive_control(const Datagram& datagram, std::int64_t now_ns) {
     // What was lost is the reply, or the message was damaged: it goes under a new number.
     ++waiting_->tries;
     waiting_->sequence = sequence_ + 1;
-    waiting_->deadline_ns = now_ns + options_.reply_timeout_ns;
-    transmit(encode(waiting_->message, options_.address, options_.dialect));
+    const Bytes packet = encode(waiting_->message, options_.address, options_.dialect);
+    waiting_->deadline_ns = reply_deadline_ns(packet, now_ns);
+    transmit(packet);
 }
 
 void Session::receive_packet(std::span<const std::uint8_t> packet, Sequence sequence,
@@ -89,6 +87,7 @@ void Session::receive_packet(std::span<const std::uint8_t> packet, Sequence sequ
     if (std::holds_alternative<NetworkChanged>(from->reply)) {
         // Over IP there is none; where it comes all the same, the camera has just been powered.
         note(Kind::warning, "The head was switched on, or the chain has changed: starting anew.");
+        knows_address_ = false;
         start_over(now_ns);
         return;
     }
@@ -117,6 +116,9 @@ bool Session::is_for_waiting(Sequence sequence) const {
 
 Session::Sent Session::take_waiting(std::int64_t now_ns) {
     const Sent sent = *std::exchange(waiting_, std::nullopt);
+    unanswered_ = 0;
+    heard_ns_ = now_ns;
+    learn_reply_time(sent, now_ns);
     if (sent.tries > 1 && options_.wiring != Wiring::udp_sony) {
         quiet_until_ns_ = now_ns + options_.quiet_ns;
     }
@@ -151,7 +153,7 @@ void Session::execute(const Sent& sent, int socket, std::int64_t now_ns) {
         });
     }
     executing_.push_back(
-        {sent.id, sent.message, socket, sent.sequence, now_ns + sent.completion_ns});
+        {sent.id, sent.message, socket, sent.sequence, now_ns + sent.sending.completion_ns});
     outcomes_.push_back(
         {sent.id, sent.message, Outcome::Kind::acknowledged, Fault::syntax, {}, socket});
 }
@@ -162,10 +164,8 @@ void Session::on(const Acknowledged& reply, Sequence sequence, std::int64_t now_
         execute(take_waiting(now_ns), reply.socket, now_ns);
         return;
     }
+    // A socket is in use that is not known of. Should there be none free, the camera will say so.
     note(Kind::note, "A late acknowledgement came.");
-    if (reply.socket != 0 && executing_in(reply.socket, std::nullopt) == executing_.end()) {
-        executing_.push_back({0, {}, reply.socket, 0, now_ns + stray_patience_ns});
-    }
 }
 
 void Session::on(const Completed& reply, Sequence sequence, std::int64_t now_ns) {
