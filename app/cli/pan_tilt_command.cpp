@@ -19,6 +19,8 @@ namespace {
 constexpr std::chrono::milliseconds look_interval{20};
 // So long a head that was told something may stay where it is before it counts as at rest.
 constexpr std::chrono::milliseconds at_rest_for{400};
+// The lens is asked for less often.
+constexpr std::chrono::milliseconds lens_at_rest_for{1500};
 constexpr std::chrono::seconds longest_motion{30};
 // All that is told of the lens comes with the first three questions.
 constexpr std::chrono::milliseconds lens_patience{2000};
@@ -83,13 +85,13 @@ std::optional<Result<Done>> act(PanTiltCamera& head, const PanTiltOptions& optio
 }
 
 // Until neither angles nor zoom have changed for a while.
-Result<Done> wait_until_at_rest(PanTiltCamera& head) {
+Result<Done> wait_until_at_rest(PanTiltCamera& head, std::chrono::milliseconds rest) {
     using Clock = std::chrono::steady_clock;
     const auto began = Clock::now();
     auto changed = began;
     HeadAngles last;
     double last_zoom = 0.0;
-    while (Clock::now() - changed < at_rest_for && !interrupted()) {
+    while (Clock::now() - changed < rest && !interrupted()) {
         std::this_thread::sleep_for(look_interval);
         const auto status = head.status();
         if (!status) {
@@ -149,7 +151,10 @@ Outcome run_pan_tilt(const PanTiltOptions& options) {
         std::this_thread::sleep_for(look_interval);
     }
     if (options.action != "drive" && options.action != "position") {
-        if (const auto rests = wait_until_at_rest(head); !rests) {
+        const bool lens =
+            options.action == "zoom" || options.action == "focus" || options.action == "recall";
+        if (const auto rests = wait_until_at_rest(head, lens ? lens_at_rest_for : at_rest_for);
+            !rests) {
             return Outcome{rests.error()};
         }
     }

@@ -14,6 +14,11 @@ constexpr std::int64_t patience_ns = 2'000'000'000;
 constexpr int manual_focus = 3;
 constexpr int auto_focus = 2;
 
+// As a person would write it.
+std::string degrees_text(double angle_rad) {
+    return digits(std::round(100.0 * deg_from_rad(angle_rad)) / 100.0);
+}
+
 Error no_share(const char* what, double share) {
     return {std::string("The ") + what + " can't be set to " + digits(share) + ".",
             "Give a number from 0 to 1."};
@@ -40,8 +45,13 @@ Result<Done> EviCamera::wait_until_known(std::int64_t patience) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::nanoseconds(patience);
     while (!driver_.status()) {
         if (std::chrono::steady_clock::now() >= until) {
-            return Error{driver_.status() ? "" : driver_.fault(),
-                         "Check that the head is switched on and connected."};
+            // What went wrong first says more than that nothing came of it.
+            for (const HeadNote& note : driver_.take_notes()) {
+                if (note.kind == HeadNote::Kind::fault) {
+                    return Error{note.text, ""};
+                }
+            }
+            return Error{driver_.fault(), ""};
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
@@ -57,10 +67,10 @@ Result<Done> EviCamera::look(const HeadAngles& angles, bool by_hand) {
     const HeadLimits most = limits();
     // Written so that what is not a number is refused as well.
     if (!(std::abs(angles.pan_rad) <= most.pan_rad && std::abs(angles.tilt_rad) <= most.tilt_rad)) {
-        return Error{"The head can't turn to pan " + digits(deg_from_rad(angles.pan_rad)) +
-                         ", tilt " + digits(deg_from_rad(angles.tilt_rad)) + " degrees.",
-                     "Keep within " + digits(deg_from_rad(most.pan_rad)) + " and " +
-                         digits(deg_from_rad(most.tilt_rad)) + " degrees."};
+        return Error{"The head can't turn to pan " + degrees_text(angles.pan_rad) + ", tilt " +
+                         degrees_text(angles.tilt_rad) + " degrees.",
+                     "Keep within " + degrees_text(most.pan_rad) + " and " +
+                         degrees_text(most.tilt_rad) + " degrees."};
     }
     queue_.put(Motion{Motion::Kind::look, angles, {}, by_hand});
     link_->wake();
@@ -112,7 +122,7 @@ Result<Done> EviCamera::reset() {
 Result<HeadModel> EviCamera::known_model() const {
     auto model = driver_.model();
     if (!model) {
-        return Error{driver_.fault(), "Check that the head is switched on and connected."};
+        return Error{driver_.fault(), ""};
     }
     return std::move(*model);
 }

@@ -28,7 +28,8 @@ HeadDriver::HeadDriver(Link& link, HeadQueue& queue, const Clock& clock, Options
       clock_(clock),
       options_(std::move(options)),
       session_(options_.session),
-      fault_("The head (" + link.name() + ") has not answered yet.") {}
+      fault_("The head (" + link.name() +
+             ") has not answered yet. Check its power, the line and the address.") {}
 
 void HeadDriver::step() {
     std::int64_t now_ns = clock_.now_ns();
@@ -156,7 +157,7 @@ void HeadDriver::lost(std::int64_t) {
     std::lock_guard lock(mutex_);
     connected_ = false;
     if (fault_.empty()) {
-        fault_ = "The head (" + link_.name() + ") does not answer.";
+        fault_ = "The head (" + link_.name() + ") does not answer. Check its power and the line.";
     }
     estimate_.forget();
     lens_.reset();

@@ -251,7 +251,7 @@ void Session::send_start_message(std::int64_t now_ns) {
 
 void Session::start_step_timed_out(std::int64_t now_ns) {
     if (!silence_noted_ && start_tries_ >= tries_before_over) {
-        note(Kind::fault, "The head does not answer. Check its power, the line, and the address.");
+        note(Kind::fault, "The head does not answer. Check its power, the line and the address.");
         silence_noted_ = true;
     }
     reader_.reset();
