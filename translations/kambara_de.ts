@@ -359,6 +359,70 @@
         <source>Clear a target, then choose this one with its number.</source>
         <translation>Löschen Sie ein Ziel und wählen Sie dieses dann mit dessen Nummer.</translation>
     </message>
+    <message>
+        <source>The head answers.</source>
+        <translation>Der Kopf antwortet.</translation>
+    </message>
+    <message>
+        <source>The head answers again.</source>
+        <translation>Der Kopf antwortet wieder.</translation>
+    </message>
+    <message>
+        <source>The head does not answer. Check its power, the line and the address.</source>
+        <translation>Der Kopf antwortet nicht. Prüfen Sie Strom, Leitung und Adresse.</translation>
+    </message>
+    <message>
+        <source>The head does not answer any more; trying to reach it.</source>
+        <translation>Der Kopf antwortet nicht mehr; es wird versucht, ihn zu erreichen.</translation>
+    </message>
+    <message>
+        <source>The line to the head (%1) was lost (%2).</source>
+        <translation>Die Leitung zum Kopf (%1) ist unterbrochen (%2).</translation>
+    </message>
+    <message>
+        <source>Plug it in again; it is tried on and on.</source>
+        <translation>Stecken Sie sie wieder ein; es wird immer wieder versucht.</translation>
+    </message>
+    <message>
+        <source>The line to the head (%1) is there again.</source>
+        <translation>Die Leitung zum Kopf (%1) ist wieder da.</translation>
+    </message>
+    <message>
+        <source>The line to the head (%1) can&apos;t be opened (%2).</source>
+        <translation>Die Leitung zum Kopf (%1) lässt sich nicht öffnen (%2).</translation>
+    </message>
+    <message>
+        <source>Check that it is plugged in and switched on, its name, and the right to use it.</source>
+        <translation>Prüfen Sie, ob er eingesteckt und eingeschaltet ist, den Namen und das Recht, ihn zu benutzen.</translation>
+    </message>
+    <message>
+        <source>The head (%1) does not answer. Check its power and the line.</source>
+        <translation>Der Kopf (%1) antwortet nicht. Prüfen Sie Strom und Leitung.</translation>
+    </message>
+    <message>
+        <source>The head was switched on, or the chain has changed: starting anew.</source>
+        <translation>Der Kopf wurde eingeschaltet, oder die Kette hat sich geändert: es wird neu begonnen.</translation>
+    </message>
+    <message>
+        <source>The head is in standby: it is switched on.</source>
+        <translation>Der Kopf ist in Bereitschaft: er wird eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>The head came to rest elsewhere: it is told again.</source>
+        <translation>Der Kopf kam anderswo zur Ruhe: es wird ihm noch einmal gesagt.</translation>
+    </message>
+    <message>
+        <source>The head stays %1 steps short of where it should look.</source>
+        <translation>Der Kopf bleibt %1 Schritte vor dem, wohin er blicken soll.</translation>
+    </message>
+    <message>
+        <source>The head said to be where it can&apos;t be; asked again.</source>
+        <translation>Der Kopf nannte eine Stellung, die nicht sein kann; er wird noch einmal gefragt.</translation>
+    </message>
+    <message>
+        <source>%1 bytes from the head made no sense and were passed over.</source>
+        <translation>%1 Bytes vom Kopf waren unverständlich und wurden übergangen.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -417,6 +481,14 @@
     <message>
         <source>--rate %1 is no rate: give a number of pictures a second, 0.1 to 1000.</source>
         <translation>--rate %1 ist keine Rate: geben Sie eine Zahl von Bildern in der Sekunde an, 0.1 bis 1000.</translation>
+    </message>
+    <message>
+        <source>HEAD</source>
+        <translation>KOPF</translation>
+    </message>
+    <message>
+        <source>A real pan-tilt head: visca:/dev/ttyS0, visca-udp:HOST or visca-tcp:HOST.</source>
+        <translation>Ein wirklicher Schwenk-Neige-Kopf: visca:/dev/ttyS0, visca-udp:RECHNER oder visca-tcp:RECHNER.</translation>
     </message>
 </context>
 <context>

@@ -94,6 +94,7 @@ Result<Outcome> live(const LiveOptions& options) {
     SteadyClock clock;
     SourceOptions source;
     source.left = "sim:" + options.profile;
+    source.pan_tilt = options.pan_tilt;
     source.live = true;
     auto sources = open_sources(source, clock);
     if (!sources) {

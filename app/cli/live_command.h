@@ -10,6 +10,7 @@ namespace kambara::cli {
 
 struct LiveOptions {
     std::string profile = "default";
+    std::string pan_tilt;           ///< a real head's URI in place of the simulated one
     std::optional<double> seconds;  ///< until interrupted, where not given
 };
 

@@ -15,6 +15,7 @@
 #include "app/cli/compare_command.h"
 #include "app/cli/convert_command.h"
 #include "app/cli/detect_command.h"
+#include "app/cli/head_options.h"
 #include "app/cli/live_command.h"
 #include "app/cli/match_command.h"
 #include "app/cli/simulate_command.h"
@@ -70,7 +71,9 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     c->add_option("--temporal", o.temporal,
                   "Filter the pictures over time first: median:N or mean:N, N up to 15; for still "
                   "cameras");
-    c->add_option("--pan-tilt", o.sources.pan_tilt, "Head to steer: sim:PROFILE");
+    c->add_option("--pan-tilt", o.sources.pan_tilt,
+                  "Head to steer: sim:PROFILE, visca:/dev/ttyS0?address=1, visca-udp:HOST:PORT, "
+                  "visca-udp-raw:HOST:PORT or visca-tcp:HOST:PORT");
     c->add_option("--seconds", o.seconds, "Stop after so much of the source's time")
         ->check(CLI::PositiveNumber);
     c->add_option("--record", o.record, "Folder to record the session in");
@@ -221,10 +224,21 @@ void add_live(CLI::App& app, Chosen& chosen, LiveOptions& o) {
     CLI::App* c =
         app.add_subcommand("live", "The main job on the simulated rig, live in the terminal");
     c->add_option("--profile", o.profile, "Simulated scene")->capture_default_str();
+    c->add_option("--pan-tilt", o.pan_tilt,
+                  "A real head in place of the simulated one: visca:/dev/ttyS0 and so on");
     c->add_option("--seconds", o.seconds, "How long; until Ctrl-C where not given")
         ->check(CLI::PositiveNumber);
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_live(o); }; });
+}
+
+void add_heads(CLI::App& app, Chosen& chosen, PanTiltOptions& p, SimulateEviOptions& e) {
+    CLI::App* c = add_pan_tilt(app, p);
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&p] { return run_pan_tilt(p); }; });
+    c = add_simulate_evi(app, e);
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&e] { return run_simulate_evi(e); }; });
 }
 
 void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
@@ -325,6 +339,8 @@ int main(int argc, char** argv) {
     LiveOptions live;
     BenchOptions bench;
     CompareOptions compare;
+    PanTiltOptions pan_tilt;
+    SimulateEviOptions simulate_evi;
     add_calibrate(app, chosen, calibrate);
     add_calibrate_points(app, chosen, calibrate_points);
     add_calibration_statistics(app, chosen, calibration_statistics);
@@ -337,6 +353,7 @@ int main(int argc, char** argv) {
     add_live(app, chosen, live);
     add_bench(app, chosen, bench);
     add_compare(app, chosen, compare);
+    add_heads(app, chosen, pan_tilt, simulate_evi);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -217,6 +217,7 @@ Result<nlohmann::json> track(const TrackOptions& options) {
     system_options.tracker.search.method = *method;
     system_options.temporal = temporal;
     system_options.every_frame = sources->every_frame;
+    system_options.in_real_time = sources->real_head;
     system_options.start_paused = true;
     auto opened = open_vision_system(std::move(sources->parts), system_options, clock);
     if (!opened) {

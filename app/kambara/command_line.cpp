@@ -11,6 +11,18 @@ namespace {
 constexpr double lowest_rate_hz = 0.1;
 constexpr double highest_rate_hz = 1000.0;
 
+QString value_of(const QString& name, const QStringList& arguments) {
+    for (int i = 1; i < arguments.size(); ++i) {
+        if (arguments[i] == name && i + 1 < arguments.size()) {
+            return arguments[i + 1];
+        }
+        if (arguments[i].startsWith(name + QLatin1Char('='))) {
+            return arguments[i].mid(name.size() + 1);
+        }
+    }
+    return {};
+}
+
 [[noreturn]] void refuse(const QString& text) {
     QTextStream(stderr) << text << '\n';
     std::exit(2);
@@ -34,6 +46,8 @@ ui::WindowOptions CommandLine::read(const QStringList& arguments) {
     const auto right = option("right", tr("SOURCE"), tr("Right pictures."));
     const auto rig = option("rig", tr("FILE"), tr("The rig file of these pictures."));
     const auto rate = option("rate", tr("HZ"), tr("Rate of single pictures (10 Hz unless given)."));
+    option("pan-tilt", tr("HEAD"),
+           tr("A real pan-tilt head: visca:/dev/ttyS0, visca-udp:HOST or visca-tcp:HOST."));
     option("language", tr("CODE"), tr("Language of the window, such as de or en."));
     const auto no_3d = option("no-3d", QString(), tr("Without the 3-D view."));
     parser.process(arguments);
@@ -65,16 +79,11 @@ ui::WindowOptions CommandLine::read(const QStringList& arguments) {
 }
 
 QString CommandLine::language(const QStringList& arguments) {
-    const QString name = QStringLiteral("--language");
-    for (int i = 1; i < arguments.size(); ++i) {
-        if (arguments[i] == name && i + 1 < arguments.size()) {
-            return arguments[i + 1];
-        }
-        if (arguments[i].startsWith(name + QLatin1Char('='))) {
-            return arguments[i].mid(name.size() + 1);
-        }
-    }
-    return {};
+    return value_of(QStringLiteral("--language"), arguments);
+}
+
+QString CommandLine::pan_tilt(const QStringList& arguments) {
+    return value_of(QStringLiteral("--pan-tilt"), arguments);
 }
 
 }  // namespace kambara

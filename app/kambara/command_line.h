@@ -18,6 +18,8 @@ class CommandLine {
     static ui::WindowOptions read(const QStringList& arguments);
     /// The language asked for, found before everything else so that even --help is in it.
     static QString language(const QStringList& arguments);
+    /// The real head asked for; empty where none is.
+    static QString pan_tilt(const QStringList& arguments);
 };
 
 }  // namespace kambara

@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
     ui::apply_theme(application);
     options.with_gl = options.with_gl && ui::can_draw_with_gl();
     SteadyClock clock;
-    ui::MainWindow window(system_opener(clock), options);
+    const QString pan_tilt = CommandLine::pan_tilt(QApplication::arguments());
+    ui::MainWindow window(system_opener(clock, pan_tilt.toStdString()), options);
     window.show();
     return QApplication::exec();
 }

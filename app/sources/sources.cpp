@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/sources/heads.h"
 #include "core/camera/nominal_rig.h"
 #include "core/camera/rig_file.h"
 #include "hardware/media/open_media.h"
@@ -22,7 +23,16 @@ bool is_simulated(const std::string& source) {
 
 Error no_such_head(const std::string& name) {
     return {"There is no driver for the pan-tilt head " + name + ".",
-            "Give sim:default for a simulated one, or leave it out."};
+            "Give sim:default for a simulated one, visca:/dev/ttyS0 or visca-udp:HOST for a real "
+            "one, or leave it out."};
+}
+
+// The real head that the options ask for; null where they ask for none.
+Result<std::shared_ptr<PanTiltCamera>> real_head(const SourceOptions& options, const Clock& clock) {
+    if (options.head || !names_a_real_head(options.pan_tilt)) {
+        return std::shared_ptr<PanTiltCamera>(options.head);
+    }
+    return open_head(options.pan_tilt, clock);
 }
 
 // A name that means a device or a stream, for which there is no driver.
@@ -50,8 +60,13 @@ Result<Sources> open_simulation(const SourceOptions& options, Clock& clock) {
                          options.right + ".",
                      "Leave --right out: the simulated rig has both."};
     }
-    if (!options.pan_tilt.empty() && !is_simulated(options.pan_tilt)) {
+    const bool wants_real_head = options.head || names_a_real_head(options.pan_tilt);
+    if (!options.pan_tilt.empty() && !is_simulated(options.pan_tilt) && !wants_real_head) {
         return no_such_head(options.pan_tilt);
+    }
+    if (wants_real_head && !options.live) {
+        return Error{"A simulation that runs as fast as it can is too fast for a real head.",
+                     "Use the command live, or the window."};
     }
     auto profile = simulated_profile(std::string_view(options.left).substr(simulated.size()));
     if (!profile) {
@@ -77,7 +92,13 @@ Result<Sources> open_simulation(const SourceOptions& options, Clock& clock) {
         pace.driven = std::make_shared<ManualClock>();
         head_clock = pace.driven;
     }
-    const auto head = std::make_shared<SimulatedHead>(head_clock);
+    auto opened = real_head(options, clock);
+    if (!opened) {
+        return opened.error();
+    }
+    sources.real_head = *opened != nullptr;
+    const std::shared_ptr<PanTiltCamera> head =
+        *opened ? *opened : std::make_shared<SimulatedHead>(head_clock);
     sources.parts.head = head;
     Grabbers& grabbers = sources.parts.grabbers;
     grabbers.left = make_simulated_grabber(world, FixedCamera::left, options.start, pace);
@@ -137,13 +158,23 @@ class TimedGrabber final : public GrabberBase {
     std::shared_ptr<ManualClock> time_;
 };
 
-Result<Done> add_head(const SourceOptions& options, Sources& sources) {
-    if (!is_simulated(options.pan_tilt)) {
+Result<Done> add_head(const SourceOptions& options, const Clock& clock, Sources& sources) {
+    const bool wants_real_head = options.head || names_a_real_head(options.pan_tilt);
+    if (!is_simulated(options.pan_tilt) && !wants_real_head) {
         return no_such_head(options.pan_tilt);
     }
     if (!sources.parts.rig.pan_tilt) {
         return Error{"The rig file does not say where the pan-tilt camera is.",
                      "Add cameras.pan_tilt to it, or leave --pan-tilt out."};
+    }
+    if (wants_real_head) {
+        auto opened = real_head(options, clock);
+        if (!opened) {
+            return opened.error();
+        }
+        sources.parts.head = std::move(*opened);
+        sources.real_head = true;
+        return Done{};
     }
     auto time = std::make_shared<ManualClock>();
     sources.parts.grabbers.left =
@@ -181,8 +212,8 @@ Result<Sources> open_sources(const SourceOptions& options, Clock& clock) {
         const GrabberInfo info = sources->parts.grabbers.left->info();
         sources->parts.rig = unknown_camera(info.width_px, info.height_px);
     }
-    if (!simulation && !options.pan_tilt.empty()) {
-        if (const auto added = add_head(options, *sources); !added) {
+    if (!simulation && (!options.pan_tilt.empty() || options.head)) {
+        if (const auto added = add_head(options, clock, *sources); !added) {
             return added.error();
         }
     }

@@ -18,9 +18,12 @@ class SimulatedWorld;
 /// What the command line names: pictures, a rig file, a head.
 struct SourceOptions {
     std::string left;
-    std::string right;     ///< empty: one camera only (with sim: the simulated right camera)
-    std::string pan_tilt;  ///< empty: none (with sim: the simulated head)
-    std::string rig;       ///< a rig file; may be empty with sim:, and with one camera alone
+    std::string right;  ///< empty: one camera only (with sim: the simulated right camera)
+    std::string
+        pan_tilt;  ///< sim:..., a real head's URI; empty: none (with sim: the simulated head)
+    /// A real head that is open already, in place of the one `pan_tilt` names.
+    std::shared_ptr<PanTiltCamera> head = nullptr;
+    std::string rig;  ///< a rig file; may be empty with sim:, and with one camera alone
     std::int64_t start = 0;
     bool live = false;               ///< in real time; else as fast as it goes, every frame
     bool pan_tilt_pictures = false;  ///< draw the simulated pan-tilt camera's pictures too
@@ -31,6 +34,8 @@ struct SourceOptions {
 struct Sources {
     VisionSystemParts parts;
     bool every_frame = true;
+    /// The head is a real one: what is steered by recordings goes no faster than they did.
+    bool real_head = false;
     /// Where the pictures come from a simulation: its truth.
     std::shared_ptr<const SimulatedWorld> world;
     /// The simulation's own time, where it does not run in real time.

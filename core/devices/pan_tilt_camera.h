@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/base/angles.h"
 #include "core/base/result.h"
@@ -15,6 +16,24 @@ struct HeadStatus {
     bool moving = false;
     std::int64_t time_ns = 0;  ///< when that was so, on the head's clock
     bool operator==(const HeadStatus&) const = default;
+};
+
+/// What happened to a head that an operator should be able to read later: an unplugged line, a
+/// refused command.
+struct HeadNote {
+    enum class Kind { note, warning, fault };
+    Kind kind = Kind::note;
+    std::string text;
+    bool operator==(const HeadNote&) const = default;
+};
+
+/// What a head's camera looks through.
+struct LensStatus {
+    double zoom_share = 0.0;           ///< 0 wide, 1 tele
+    double horizontal_view_rad = 0.0;  ///< 0 where that is not known
+    double focus_share = 0.0;          ///< 0 far, 1 near
+    bool autofocus = true;
+    bool operator==(const LensStatus&) const = default;
 };
 
 /// A camera on a pan-tilt head. Calls may wait for the device, so they are made from a thread that
@@ -31,10 +50,41 @@ class PanTiltCamera {
     /// doing.
     virtual Result<Done> move_to(const HeadAngles& angles) = 0;
 
+    /// The same by an operator's hand: it comes before what steering asked for and did not yet get.
+    virtual Result<Done> move_by_hand(const HeadAngles& angles) { return move_to(angles); }
+
     /// Stops where it is.
     virtual Result<Done> halt() = 0;
 
     virtual Result<HeadStatus> status() = 0;
+
+    /// What follows is an operator's, too. A head without it refuses.
+
+    /// Turns at these speeds (right and up positive) until told otherwise or at its limits.
+    virtual Result<Done> drive(double /*pan_rad_s*/, double /*tilt_rad_s*/) {
+        return lacking("can't be turned at a speed");
+    }
+    /// Straight ahead.
+    virtual Result<Done> home() { return move_by_hand({}); }
+    /// Finds its home position anew, as after it was turned by force.
+    virtual Result<Done> reset() { return lacking("can't be reset"); }
+    /// 0 wide to 1 tele.
+    virtual Result<Done> zoom_to(double /*share*/) { return lacking("has no zoom"); }
+    /// 0 far to 1 near; autofocus ends with it.
+    virtual Result<Done> focus_to(double /*share*/) { return lacking("has no focus"); }
+    virtual Result<Done> autofocus() { return lacking("has no autofocus"); }
+    virtual Result<LensStatus> lens() { return lacking("does not tell of its lens").error(); }
+    /// Presets are numbered from 0.
+    virtual Result<Done> keep_preset(int /*number*/) { return lacking("has no presets"); }
+    virtual Result<Done> recall_preset(int /*number*/) { return lacking("has no presets"); }
+
+    /// What happened since the last call; never waits for the device.
+    virtual std::vector<HeadNote> take_notes() { return {}; }
+
+  private:
+    Result<Done> lacking(const std::string& what) const {
+        return Error{"The head (" + name() + ") " + what + ".", "Use another head."};
+    }
 };
 
 }  // namespace kambara

@@ -21,14 +21,14 @@ HeadWorker::HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading)
 
 HeadWorker::~HeadWorker() = default;
 
-void HeadWorker::command(const HeadAngles& angles) {
+void HeadWorker::command(const HeadAngles& angles, bool by_hand) {
     if (threading_ == Threading::inline_calls) {
-        move(angles);
+        move({angles, by_hand});
         return;
     }
     {
         std::lock_guard lock(mutex_);
-        waiting_ = angles;
+        waiting_ = Wish{angles, by_hand};
     }
     commanded_.notify_one();
 }
@@ -61,27 +61,28 @@ bool HeadWorker::move_failed() const {
 
 void HeadWorker::run(std::stop_token stop) {
     while (!stop.stop_requested()) {
-        std::optional<HeadAngles> angles;
+        std::optional<Wish> wish;
         bool halt = false;
         {
             std::unique_lock lock(mutex_);
             commanded_.wait_for(lock, stop, poll_interval,
                                 [&] { return waiting_.has_value() || halt_waits_; });
             halt = std::exchange(halt_waits_, false);
-            angles = std::exchange(waiting_, std::nullopt);
+            wish = std::exchange(waiting_, std::nullopt);
         }
         if (halt) {
             stop_moving();
         }
-        if (angles) {
-            move(*angles);
+        if (wish) {
+            move(*wish);
         }
         poll();
     }
 }
 
-void HeadWorker::move(const HeadAngles& angles) {
-    const auto moved = head_->move_to(angles);
+void HeadWorker::move(const Wish& wish) {
+    const auto moved =
+        wish.by_hand ? head_->move_by_hand(wish.angles) : head_->move_to(wish.angles);
     std::lock_guard lock(mutex_);
     move_fault_ = moved ? std::string() : moved.error().text();
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "core/devices/pan_tilt_camera.h"
 
@@ -31,16 +32,23 @@ class HeadWorker {
     ~HeadWorker();
 
     HeadLimits limits() const { return limits_; }
-    void command(const HeadAngles& angles);
+    /// `by_hand`: an operator's wish, not steering's.
+    void command(const HeadAngles& angles, bool by_hand = false);
     /// Stops the head; angles that still wait are dropped.
     void halt();
     Reading reading();
+    /// What happened to the head since the last call.
+    std::vector<HeadNote> take_notes() { return head_->take_notes(); }
     /// The last command was refused by the device.
     bool move_failed() const;
 
   private:
     void run(std::stop_token stop);
-    void move(const HeadAngles& angles);
+    struct Wish {
+        HeadAngles angles;
+        bool by_hand = false;
+    };
+    void move(const Wish& wish);
     void stop_moving();
     void poll();
 
@@ -49,7 +57,7 @@ class HeadWorker {
     const HeadLimits limits_;
     mutable std::mutex mutex_;
     std::condition_variable_any commanded_;
-    std::optional<HeadAngles> waiting_;
+    std::optional<Wish> waiting_;
     bool halt_waits_ = false;
     HeadStatus status_;
     std::string move_fault_;

@@ -136,6 +136,7 @@ void Pipeline::publish() {
     }
     snapshot->steered_target = targets_.states().steered;
     if (head_) {
+        announce_head();
         const auto reading = head_->reading();
         snapshot->head =
             HeadSnapshot{reading.status.angles, commanded_,           reading.status.moving,
@@ -148,6 +149,21 @@ void Pipeline::publish() {
     snapshot->frames_total = frames_total_;
     snapshot->pictures = images_;
     publish_(std::move(snapshot));
+}
+
+void Pipeline::announce_head() {
+    for (const HeadNote& note : head_->take_notes()) {
+        switch (note.kind) {
+            case HeadNote::Kind::note:
+                announce(Event::Kind::note, note.text);
+                break;
+            case HeadNote::Kind::warning:
+                announce(Event::Kind::warning, note.text);
+                break;
+            case HeadNote::Kind::fault:
+                announce(Event::Kind::fault, note.text);
+        }
+    }
 }
 
 void Pipeline::set_run(RunState run, std::optional<Error> failure) {
@@ -301,7 +317,7 @@ Result<Reply> Pipeline::move_head(const MoveHead& command) {
     }
     steering_.set_automatic(false);
     steering_.nothing_wanted();
-    head_->command(command.angles);
+    head_->command(command.angles, true);
     commanded_ = command.angles;
     publish();
     return Reply(Done{});

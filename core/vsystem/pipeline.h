@@ -58,6 +58,7 @@ class Pipeline {
     void steer();
     void publish();
     void announce(Event::Kind kind, std::string text);
+    void announce_head();
     void note_changes(const TargetStates& before);
     Result<Reply> finish(const Result<Done>& done, const TargetStates& before);
     double rate_hz() const;
