@@ -160,10 +160,22 @@ Outcome export_rig(const ConvertOptions& options) {
         std::snprintf(line, sizeof line,
                       "Written for %s in %s; largest difference between the lens models %.5f px.\n",
                       format.format, folder.c_str(), files->worst_residual_px);
-        return {
-            std::nullopt,
-            Json{{"worst_residual_px", files->worst_residual_px}, {"out", folder.string()}}.dump(2),
-            line};
+        Json left_out = Json::array();
+        std::string summary = line;
+        if (rig->pan_tilt) {
+            left_out.push_back("pan_tilt");
+            summary += "The pan-tilt camera is left out: only the pair goes over.\n";
+        }
+        if (rig->medium == Medium::water) {
+            left_out.push_back("medium");
+            summary += "The format can't say that the rig holds in water: keep it in mind.\n";
+        }
+        return {std::nullopt,
+                Json{{"worst_residual_px", files->worst_residual_px},
+                     {"left_out", left_out},
+                     {"out", folder.string()}}
+                    .dump(2),
+                summary};
     }
     return failed({"There is no format \"" + options.to + "\" to convert to.",
                    "Choose opencv, ros or kalibr."});

@@ -20,7 +20,8 @@ struct ConvertOptions {
 
 /// Rig files from other programs' calibrations and back. Where a format does not tell the pictures'
 /// size and --size is not given, a picture that lies beside the files is looked at (KITTI's left/,
-/// image_0/, image_2/).
+/// image_0/, image_2/). Tells what the other format has no place for. JSON: width_px, height_px,
+/// baseline_mm, out; or worst_residual_px, left_out, out.
 Outcome run_convert(const ConvertOptions& options);
 
 }  // namespace kambara::cli

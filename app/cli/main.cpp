@@ -19,6 +19,7 @@
 #include "app/cli/live_command.h"
 #include "app/cli/match_command.h"
 #include "app/cli/simulate_command.h"
+#include "app/cli/target_command.h"
 #include "app/cli/terminal.h"
 #include "app/cli/track_command.h"
 #include "app/cli/triangulate_command.h"
@@ -220,6 +221,22 @@ void add_simulate(CLI::App& app, Chosen& chosen, SimulateOptions& o) {
     c->callback([&] { chosen.run = [&o] { return run_simulate(o); }; });
 }
 
+void add_target(CLI::App& app, Chosen& chosen, TargetOptions& o) {
+    CLI::App* c =
+        app.add_subcommand("target", "Print a calibration target at its true size: a PDF");
+    c->add_option("--target", o.target,
+                  "A target file, two-plane-24, chessboard:9x6:30 (inner corners, square in mm) or "
+                  "charuco:5x7:40:20:DICT_6X6_250")
+        ->required();
+    c->add_option("--paper", o.paper,
+                  "A4, A3, A2, A1, A0, letter, legal or tabloid, turned as the target needs it; "
+                  "auto: the smallest of A4 to A0 that takes it")
+        ->capture_default_str();
+    c->add_option("--out", o.out, "PDF file to write, a page a plane")->required();
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&o] { return run_target(o); }; });
+}
+
 void add_live(CLI::App& app, Chosen& chosen, LiveOptions& o) {
     CLI::App* c =
         app.add_subcommand("live", "The main job on the simulated rig, live in the terminal");
@@ -336,6 +353,7 @@ int main(int argc, char** argv) {
     MatchOptions match;
     TriangulateOptions triangulate;
     SimulateOptions simulate;
+    TargetOptions target;
     LiveOptions live;
     BenchOptions bench;
     CompareOptions compare;
@@ -350,6 +368,7 @@ int main(int argc, char** argv) {
     add_match(app, chosen, match);
     add_convert(app, chosen, convert);
     add_simulate(app, chosen, simulate);
+    add_target(app, chosen, target);
     add_live(app, chosen, live);
     add_bench(app, chosen, bench);
     add_compare(app, chosen, compare);

@@ -52,8 +52,7 @@ class Detector {
         const int most_columns = *std::max_element(layout_.columns.begin(), layout_.columns.end());
         const auto grids = grids_of(
             corners_, {layout_.gap_to_width, layout_.gap_to_height, most_columns, layout_.rows});
-        const auto identity =
-            identify_boxes(corners_, grids, layout_, grey_.width(), grey_.height());
+        const auto identity = identify_boxes(corners_, grids, layout_, grey_);
         if (!identity) {
             return explained(identity.error());
         }

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/median.h"
+#include "core/calibration/box_marks.h"
+
 namespace kambara {
 namespace {
 
@@ -61,9 +64,9 @@ struct Candidate {
 class Identification {
   public:
     Identification(const std::vector<Quadrilateral>& boxes, const std::vector<BoxGrid>& grids,
-                   const BoxLayout& layout, int width_px, int height_px)
-        : boxes_(boxes), grids_(grids), layout_(layout) {
-        radial_.centre_px = {0.5 * (width_px - 1), 0.5 * (height_px - 1)};
+                   const BoxLayout& layout, const Image& grey)
+        : boxes_(boxes), grids_(grids), layout_(layout), grey_(grey) {
+        radial_.centre_px = {0.5 * (grey.width() - 1), 0.5 * (grey.height() - 1)};
         radial_.radius_px = radial_.centre_px.norm();
     }
 
@@ -71,8 +74,10 @@ class Identification {
         if (layout_.columns.size() == 1) {
             for (std::size_t i = 0; i < std::min(most_pairs, grids_.size()); ++i) {
                 std::vector<std::vector<Placement>> all;
-                for (const Placement& placement : placements_of(grids_[i], 0)) {
-                    all.push_back({placement});
+                for (const int roll : rolls()) {
+                    for (const Placement& placement : placements_of(grids_[i], 0, roll)) {
+                        all.push_back({placement});
+                    }
                 }
                 try_placements(all);
                 if (!found_.empty()) {
@@ -86,6 +91,11 @@ class Identification {
     }
 
   private:
+    // By how many quarters the target itself may be turned.
+    std::vector<int> rolls() const {
+        return layout_.marks.empty() ? std::vector<int>{0} : std::vector<int>{0, 1, 2, 3};
+    }
+
     const Quadrilateral& first_of(const BoxGrid& grid) const { return boxes_[grid[0].box]; }
 
     Eigen::Vector2d centre_of(const BoxGrid& grid) const {
@@ -129,9 +139,10 @@ class Identification {
         return turns;
     }
 
-    std::vector<Placement> placements_of(const BoxGrid& grid, int plane) const {
+    std::vector<Placement> placements_of(const BoxGrid& grid, int plane, int roll) const {
         std::vector<Placement> all;
-        for (const int turn : turns_of(grid)) {
+        for (const int upright_turn : turns_of(grid)) {
+            const int turn = (upright_turn + roll) % 4;
             const Extent e = extent_of(turned_grid(grid, turn));
             for (int c = 0; c + e.columns <= layout_.columns[static_cast<std::size_t>(plane)];
                  ++c) {
@@ -161,24 +172,34 @@ class Identification {
                          [](const Pair& a, const Pair& b) { return a.size > b.size; });
         pairs.resize(std::min(pairs.size(), most_pairs));
         for (const Pair& pair : pairs) {
-            const BoxGrid* left = &grids_[pair.a];
-            const BoxGrid* right = &grids_[pair.b];
-            if (centre_of(*right).x() < centre_of(*left).x()) {
-                std::swap(left, right);
-            }
             std::vector<std::vector<Placement>> all;
-            for (int p = 0; p < static_cast<int>(layout_.columns.size()); ++p) {
-                for (int q = p + 1; q < static_cast<int>(layout_.columns.size()); ++q) {
-                    for (const Placement& a : placements_of(*left, p)) {
-                        for (const Placement& b : placements_of(*right, q)) {
-                            all.push_back({a, b});
-                        }
-                    }
-                }
+            for (const int roll : rolls()) {
+                add_placements(grids_[pair.a], grids_[pair.b], roll, all);
             }
             try_placements(all);
             if (!found_.empty()) {
                 return;
+            }
+        }
+    }
+
+    void add_placements(const BoxGrid& one, const BoxGrid& other, int roll,
+                        std::vector<std::vector<Placement>>& all) const {
+        // To the right on the target: a quarter more of roll turns that clockwise in the picture.
+        const Eigen::Vector2d from = centre_of(other) - centre_of(one);
+        const double right = roll == 0   ? from.x()
+                             : roll == 1 ? from.y()
+                             : roll == 2 ? -from.x()
+                                         : -from.y();
+        const BoxGrid& first = right < 0.0 ? other : one;
+        const BoxGrid& last = right < 0.0 ? one : other;
+        for (int p = 0; p < static_cast<int>(layout_.columns.size()); ++p) {
+            for (int q = p + 1; q < static_cast<int>(layout_.columns.size()); ++q) {
+                for (const Placement& a : placements_of(first, p, roll)) {
+                    for (const Placement& b : placements_of(last, q, roll)) {
+                        all.push_back({a, b});
+                    }
+                }
             }
         }
     }
@@ -244,8 +265,13 @@ class Identification {
                 break;
             }
             ++fitted;
-            if (complete(candidate)) {
+            if (!complete(candidate)) {
+                continue;
+            }
+            if (marks_agree(candidate)) {
                 found_.push_back(std::move(candidate));
+            } else {
+                without_mark_ = std::max(without_mark_, candidate.boxes.size());
             }
         }
     }
@@ -270,7 +296,8 @@ class Identification {
         const SeenPoints points = seen(candidate.boxes);
         candidate.view = fit_view_and_radial(points, radial_);
         candidate.rms = rms_px(candidate.view, points);
-        return candidate.rms <= allowed_px(candidate.boxes) && stands_upright(candidate.boxes) &&
+        return candidate.rms <= allowed_px(candidate.boxes) &&
+               (!layout_.marks.empty() || stands_upright(candidate.boxes)) &&
                (layout_.columns.size() == 1 ||
                 seen_from_before(candidate.view.projection, points.points));
     }
@@ -326,7 +353,27 @@ class Identification {
         return candidate.boxes.size() >= least_boxes;
     }
 
+    // One mark at the least, and none missing where it ought to be seen.
+    bool marks_agree(const Candidate& candidate) const {
+        if (layout_.marks.empty()) {
+            return true;
+        }
+        std::vector<double> ink;
+        for (const IdentifiedBox& b : candidate.boxes) {
+            const Quadrilateral& box = boxes_[b.box];
+            if (const auto level =
+                    level_between(grey_, 0.25 * (box[0] + box[1] + box[2] + box[3]))) {
+                ink.push_back(*level);
+            }
+        }
+        const SeenMarks seen = seen_marks(grey_, layout_.marks, candidate.view, median(ink));
+        return seen.present > 0 && seen.absent == 0;
+    }
+
     bool certain(const Candidate& candidate) const {
+        if (!layout_.marks.empty()) {
+            return true;  // its marks are where they should be
+        }
         int top = layout_.rows;
         int bottom = -1;
         int first = 1 << 20;
@@ -362,6 +409,12 @@ class Identification {
         };
         const auto best = std::min_element(found_.begin(), found_.end(), better);
         const std::string target = std::to_string(layout_.boxes()) + " boxes";
+        if (best == found_.end() && without_mark_ > 0) {
+            return Error{std::to_string(without_mark_) + " of the target's " + target +
+                             " are found, but its round marks are not where they belong.",
+                         "Show a mark, unhidden and without glare; check that the target is the "
+                         "one that carries them."};
+        }
         if (best == found_.end()) {
             return Error{"No boxes that stand like the target's " + target + " are found among " +
                              std::to_string(boxes_.size()) + " quadrilaterals.",
@@ -386,16 +439,18 @@ class Identification {
     const std::vector<Quadrilateral>& boxes_;
     const std::vector<BoxGrid>& grids_;
     const BoxLayout& layout_;
+    const Image& grey_;
     RadialTerms radial_;
     std::vector<Candidate> found_;
+    std::size_t without_mark_ = 0;  // boxes of the best placement that the marks spoke against
 };
 
 }  // namespace
 
 Result<Identity> identify_boxes(const std::vector<Quadrilateral>& boxes,
                                 const std::vector<BoxGrid>& grids, const BoxLayout& layout,
-                                int width_px, int height_px) {
-    return Identification(boxes, grids, layout, width_px, height_px).run();
+                                const Image& grey) {
+    return Identification(boxes, grids, layout, grey).run();
 }
 
 }  // namespace kambara

@@ -7,6 +7,7 @@
 #include "core/calibration/box_grid.h"
 #include "core/calibration/box_layout.h"
 #include "core/calibration/target_view.h"
+#include "core/image/image.h"
 
 namespace kambara {
 
@@ -28,9 +29,11 @@ struct Identity {
 /// the single boxes that the view foretells. The target stands within 45 degrees of upright.
 /// Refuses where too few fit, and where the boxes seen could be others: they must reach the top and
 /// the bottom row, and the first and the last plane (of a flat target, the first and the last
-/// column). Any thread.
+/// column). A target with marks may be turned any way and seen in any part with a mark in it; there
+/// must be one, none may be missing where it ought to be seen, and no other placement may have it
+/// so. `grey` is the picture, dark boxes on light. Any thread.
 Result<Identity> identify_boxes(const std::vector<Quadrilateral>& boxes,
                                 const std::vector<BoxGrid>& grids, const BoxLayout& layout,
-                                int width_px, int height_px);
+                                const Image& grey);
 
 }  // namespace kambara

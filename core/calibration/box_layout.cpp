@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "core/calibration/box_marks.h"
+
 namespace kambara {
 
 int BoxLayout::box_number(const BoxPlace& place) const {
@@ -35,6 +37,7 @@ BoxLayout box_layout(const BoxTarget& target) {
     layout.gap_to_width = target.pitch_across_mm / target.box_width_mm - 1.0;
     layout.gap_to_height = target.pitch_down_mm / target.box_height_mm - 1.0;
     layout.dark_on_light = target.dark_on_light;
+    layout.marks = box_marks(target);
     layout.corners_mm = drawn_corners_mm(Target(target));
     return layout;
 }

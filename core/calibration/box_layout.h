@@ -17,6 +17,13 @@ struct BoxPlace {
     bool operator==(const BoxPlace&) const = default;
 };
 
+/// A round mark in the target's frame: its middle, and its radius along the plane's two axes.
+struct BoxMark {
+    Eigen::Vector3d middle_mm;
+    Eigen::Vector3d across_mm;
+    Eigen::Vector3d down_mm;
+};
+
 /// What finding the boxes of a target needs to know of it: equal boxes in rows and columns, on one
 /// plane or more, left to right; all planes have the same rows.
 struct BoxLayout {
@@ -25,6 +32,7 @@ struct BoxLayout {
     double gap_to_width = 0.0;   ///< the white between two boxes of a row, by a box's width
     double gap_to_height = 0.0;  ///< ... of a column, by its height
     bool dark_on_light = true;
+    std::vector<BoxMark> marks;  ///< that tell the target's parts apart, and which way up it is
     std::vector<Eigen::Vector3d> corners_mm;  ///< four a box, as drawn_corners_mm has them
 
     int boxes() const { return static_cast<int>(corners_mm.size() / 4); }

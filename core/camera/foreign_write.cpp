@@ -10,6 +10,8 @@
 namespace kambara {
 namespace {
 
+constexpr double negligible_px = 1e-3;  // no calibration is as sure
+
 // Both lenses in the other side's terms.
 struct Pair {
     BrownLens left;
@@ -18,7 +20,7 @@ struct Pair {
 };
 
 // A Brown lens with no more terms than allowed goes over as it is. Any other is fitted, with few
-// terms where they suffice: those are easier on who reads them.
+// terms where nothing is lost by it: those are easier on who reads them.
 Result<FittedLens> in_terms(const Camera& camera, int terms) {
     if (const auto* brown = std::get_if<BrownLens>(&camera.lens)) {
         const auto& p = brown->parameters();
@@ -29,10 +31,11 @@ Result<FittedLens> in_terms(const Camera& camera, int terms) {
         }
     }
     const auto few = fitted_brown(camera, std::min(terms, 5));
-    if (!few || few->worst_residual_px <= most_export_residual_px) {
+    if (terms <= 5 || (few && few->worst_residual_px <= negligible_px)) {
         return few;
     }
-    return fitted_brown(camera, terms);
+    const auto all = fitted_brown(camera, terms);
+    return few && (!all || few->worst_residual_px < all->worst_residual_px) ? few : all;
 }
 
 Result<Pair> pair_in_terms(const Rig& rig, int terms, const char* program) {

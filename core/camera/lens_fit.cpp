@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/camera/foreign_formats.h"
@@ -93,6 +95,45 @@ Parameters fitted(Parameters p, const std::vector<int>& free, const std::vector<
     return p;
 }
 
+// The rational lens multiplied out is linear in its radial terms: a start that lies off the poles
+// that steps from no distortion at all may run into.
+Parameters rational_start(Parameters p, const std::vector<Sample>& samples) {
+    Eigen::MatrixXd A(static_cast<Eigen::Index>(samples.size()), 6);
+    Eigen::VectorXd b(A.rows());
+    for (Eigen::Index i = 0; i < A.rows(); ++i) {
+        const Sample& sample = samples[static_cast<std::size_t>(i)];
+        const Eigen::Vector2d distorted((sample.pixel.x() - p[2]) / p[0],
+                                        (sample.pixel.y() - p[3]) / p[1]);
+        const double r2 = sample.direction.squaredNorm();
+        const double factor = r2 > 1e-12 ? distorted.norm() / std::sqrt(r2) : 1.0;
+        const Eigen::RowVector3d powers(r2, r2 * r2, r2 * r2 * r2);
+        A.row(i) << powers, -factor * powers;
+        b[i] = factor - 1.0;
+    }
+    const Eigen::VectorXd k = A.colPivHouseholderQr().solve(b);
+    p[4] = k[0];
+    p[5] = k[1];
+    p[8] = k[2];
+    p.tail<3>() = k.tail<3>();
+    return p;
+}
+
+// Empty where the lens turns back at a sample.
+std::optional<FittedLens> lens_of(const Parameters& p, int terms,
+                                  const std::vector<Sample>& samples) {
+    FittedLens result{
+        BrownLens(p[0], p[1], p[2], p[3], {p.data() + 4, p.data() + (terms > 5 ? 12 : 9)}), 0.0};
+    for (const Sample& sample : samples) {
+        const auto pixel = project(result.lens, {sample.direction.x(), sample.direction.y(), 1.0});
+        if (!pixel) {
+            return std::nullopt;
+        }
+        result.worst_residual_px =
+            std::max(result.worst_residual_px, (*pixel - sample.pixel).norm());
+    }
+    return result;
+}
+
 }  // namespace
 
 Result<FittedLens> fitted_brown(const Camera& camera, int terms) {
@@ -118,21 +159,21 @@ Result<FittedLens> fitted_brown(const Camera& camera, int terms) {
     for (int i = 0; i < 4 + terms; ++i) {
         free.push_back(i);
     }
-    p = fitted(p, free, samples);
-    FittedLens result{
-        BrownLens(p[0], p[1], p[2], p[3], {p.data() + 4, p.data() + (terms > 5 ? 12 : 9)}), 0.0};
-    for (const Sample& sample : samples) {
-        const auto pixel = project(result.lens, {sample.direction.x(), sample.direction.y(), 1.0});
-        if (!pixel) {
-            return Error{
-                "The lens does not fit into the other program's model: its distortion "
-                "turns back inside the picture.",
-                "Use a format with more distortion terms."};
+    auto best = lens_of(fitted(p, free, samples), terms, samples);
+    if (terms == 8) {
+        const auto other =
+            lens_of(fitted(rational_start(p, samples), free, samples), terms, samples);
+        if (other && (!best || other->worst_residual_px < best->worst_residual_px)) {
+            best = other;
         }
-        result.worst_residual_px =
-            std::max(result.worst_residual_px, (*pixel - sample.pixel).norm());
     }
-    return result;
+    if (!best) {
+        return Error{
+            "The lens does not fit into the other program's model: its distortion "
+            "turns back inside the picture.",
+            "Use a format with more distortion terms."};
+    }
+    return *best;
 }
 
 }  // namespace kambara

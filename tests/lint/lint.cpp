@@ -91,7 +91,7 @@ bool is_qt(const std::string& include) {
 // system's, and C's, which C++ has under other names.
 bool is_operating_system(const std::string& include) {
     static const std::regex folders(R"(^(sys|linux|net|netinet|arpa|asm|mach|bits)/.*)");
-    static const std::set<std::string> libraries{"fftw3.h"};
+    static const std::set<std::string> libraries{"fftw3.h", "hpdf.h"};
     const bool bare =
         include.find('/') == std::string::npos && include.find('.') != std::string::npos;
     return std::regex_match(include, folders) || include == "csignal" ||

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace kambara::testing_support {
@@ -21,6 +22,15 @@ Polygon outline_of(const BoxScene& scene, const TargetPatch& patch) {
                                       patch.origin_mm + patch.across_mm + patch.down_mm,
                                       patch.origin_mm + patch.down_mm};
     Polygon outline;
+    if (patch.round) {
+        const Eigen::Vector3d middle = patch.origin_mm + 0.5 * (patch.across_mm + patch.down_mm);
+        for (int i = 0; i < 48; ++i) {
+            const double turn = 2.0 * std::numbers::pi * i / 48;
+            outline.push_back(pixel_of(scene, middle + 0.5 * (std::cos(turn) * patch.across_mm +
+                                                              std::sin(turn) * patch.down_mm)));
+        }
+        return outline;
+    }
     for (int side = 0; side < 4; ++side) {
         const Eigen::Vector3d step = (corner[(side + 1) % 4] - corner[side]) / pieces_a_side;
         for (int i = 0; i < pieces_a_side; ++i) {
