@@ -129,7 +129,6 @@ HeadModel read_head(const YAML::Node& node, const std::string& where) {
     head.focus_far = whole(number(focus, where + "focus.", "far", 0.0, 65535.0));
     head.focus_near = whole(number(focus, where + "focus.", "near", 0.0, 65535.0));
     head.presets = whole(number(node, where, "presets", 0.0, 255.0));
-    head.acceleration_deg_s2 = number(node, where, "acceleration_deg_s2", 1.0, 100000.0);
     head.cancel_wait_s = number(node, where, "cancel_wait_s", 0.0, 10.0);
     bool replaces = false;
     if (!YAML::convert<bool>::decode(child(node, where, "replaces_moves"), replaces)) {

@@ -56,7 +56,6 @@ struct HeadModel {
     int focus_far = 0;
     int focus_near = 0;
     int presets = 6;
-    double acceleration_deg_s2 = 400.0;
     bool replaces_moves = true;
     double cancel_wait_s = 0.0;
     bool operator==(const HeadModel&) const = default;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "hardware/visca/built_in_heads.h"
 #include "hardware/visca/position_estimate.h"
@@ -44,6 +46,17 @@ TEST(HeadModel, TheTableHoldsWhatTheManualsSay) {
     EXPECT_EQ(find_head(built_in_heads(), 0x402)->name, "evi-d30");
     EXPECT_EQ(find_head(built_in_heads(), 0x50D)->name, "evi-d80");
     EXPECT_FALSE(find_head(built_in_heads(), 0x999).has_value());
+}
+
+TEST(HeadModel, TheDocumentedExampleIsTheEviD30) {
+    std::ifstream file(std::string(KAMBARA_SOURCE) + "/resources/README.md");
+    const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const auto fence = page.find("```", page.find("<!-- example: heads -->"));
+    ASSERT_NE(fence, std::string::npos);
+    const auto begin = page.find('\n', fence) + 1;
+    const auto heads = heads_from_text(page.substr(begin, page.find("```", begin) - begin));
+    ASSERT_TRUE(heads.ok()) << heads.error().text();
+    EXPECT_EQ(*heads, std::vector{built_in_heads()[0]});
 }
 
 TEST(HeadModel, NeverGoesBeyondItsEnds) {
