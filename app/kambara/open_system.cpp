@@ -2,11 +2,35 @@
 #include "app/kambara/open_system.h"
 
 #include "app/sources/sources.h"
+#include "hardware/simulated/held_target.h"
+#include "hardware/simulated/simulated_world.h"
 
 namespace kambara {
+namespace {
+
+ui::TargetHand hand_of(const Sources& sources) {
+    if (!sources.hand) {
+        return {};
+    }
+    const Target target = *sources.world->profile().calibration_target;
+    const auto corners = corners_in_target_mm(target);
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const auto& corner : corners) {
+        middle += corner / static_cast<double>(corners.size());
+    }
+    ui::TargetHand hand;
+    hand.target = to_string(target);
+    hand.hold = [held = sources.hand, middle](const RigidTransform& T, bool by_helper) {
+        held->hold({T * middle, Eigen::Quaterniond(T.R)}, by_helper);
+    };
+    hand.let_go = [held = sources.hand] { held->let_go(); };
+    return hand;
+}
+
+}  // namespace
 
 ui::SystemOpener system_opener(Clock& clock) {
-    return [&clock](const ui::SourceRequest& request) -> Result<std::unique_ptr<VsystemInterface>> {
+    return [&clock](const ui::SourceRequest& request) -> Result<ui::OpenedSystem> {
         SourceOptions options;
         options.left = request.left;
         options.right = request.right;
@@ -22,7 +46,12 @@ ui::SystemOpener system_opener(Clock& clock) {
         system_options.every_frame = sources->every_frame;
         system_options.in_real_time = sources->every_frame;
         system_options.start_paused = sources->every_frame;
-        return open_vision_system(std::move(sources->parts), system_options, clock);
+        const ui::TargetHand hand = hand_of(*sources);
+        auto system = open_vision_system(std::move(sources->parts), system_options, clock);
+        if (!system) {
+            return system.error();
+        }
+        return ui::OpenedSystem{std::move(*system), hand};
     };
 }
 
