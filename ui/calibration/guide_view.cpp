@@ -125,8 +125,7 @@ void GuideView::paintEvent(QPaintEvent*) {
                         height);
     if (!sight_.corners.empty()) {
         paint_note(painter, bottom, Qt::AlignLeft,
-                   tr("%n corner(s) found", "", static_cast<int>(sight_.corners.size())),
-                   theme::good);
+                   tr("%1 corners found").arg(sight_.corners.size()), theme::good);
     } else if (!sight_.fault.empty()) {
         paint_note(painter, bottom, Qt::AlignLeft, translated(sight_.fault), theme::caution);
     }

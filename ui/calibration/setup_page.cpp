@@ -93,7 +93,9 @@ SetupPage::SetupPage(QWidget* parent) : QWidget(parent) {
     auto* browse = new QPushButton(tr("Choose\u2026"), this);
     place->addWidget(folder_, 1);
     place->addWidget(browse);
-    form->addRow(tr("&Folder"), place);
+    auto* place_label = new QLabel(tr("&Folder"), this);
+    place_label->setBuddy(folder_);
+    form->addRow(place_label, place);
     page->addLayout(form);
     failure_ = explained({}, this);
     failure_->setObjectName(QStringLiteral("setupFailure"));
@@ -225,8 +227,7 @@ void SetupPage::check() {
         reason = tr("A list of points can't be found in pictures: choose another target.");
         target_note_->setText(reason);
     } else {
-        target_note_->setText(
-            tr("%n corner(s)", "", static_cast<int>(corners_in_target_mm(*target).size())));
+        target_note_->setText(tr("%1 corners").arg(corners_in_target_mm(*target).size()));
         if (!sizes_[0]) {
             reason = tr("Open a source first.");
         } else if (folder_->text().trimmed().isEmpty()) {
