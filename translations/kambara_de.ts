@@ -423,6 +423,62 @@
         <source>%1 bytes from the head made no sense and were passed over.</source>
         <translation>%1 Bytes vom Kopf waren unverständlich und wurden übergangen.</translation>
     </message>
+    <message>
+        <source>The target is not held still yet.</source>
+        <translation>Der Zielkörper wird noch nicht still gehalten.</translation>
+    </message>
+    <message>
+        <source>The target is where shot %1 shows it already: move it.</source>
+        <translation>Der Zielkörper ist, wo ihn Aufnahme %1 schon zeigt: Bewegen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The %1 camera does not find the target: %2</source>
+        <translation>Die Kamera %1 findet den Zielkörper nicht: %2</translation>
+    </message>
+    <message>
+        <source>The %1 camera does not find the target.</source>
+        <translation>Die Kamera %1 findet den Zielkörper nicht.</translation>
+    </message>
+    <message>
+        <source>The %1 picture is blurred: edges are %2 px wide.</source>
+        <translation>Das Bild %1 ist unscharf: Kanten sind %2 px breit.</translation>
+    </message>
+    <message>
+        <source>The %1 picture shows the corners to %2 px only: too dark, too small, or blurred.</source>
+        <translation>Das Bild %1 zeigt die Ecken nur auf %2 px genau: zu dunkel, zu klein oder unscharf.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s pictures have another size than the session began with.</source>
+        <translation>Die Bilder der Kamera %1 haben eine andere Größe als zu Beginn der Sitzung.</translation>
+    </message>
+    <message>
+        <source>The pan-tilt head is not at home: turn it home first.</source>
+        <translation>Der Schwenkkopf ist nicht in Ruhestellung: Drehen Sie ihn erst dorthin.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>The folder %1 can&apos;t be made: %2.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden: %2.</translation>
+    </message>
+    <message>
+        <source>Choose a place that can be written to.</source>
+        <translation>Wählen Sie einen Ort, an dem geschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>%1 holds a calibration session already.</source>
+        <translation>%1 enthält schon eine Kalibriersitzung.</translation>
+    </message>
+    <message>
+        <source>Resume it, or choose another folder.</source>
+        <translation>Setzen Sie sie fort oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The scale rests on the target&apos;s sizes alone; a baseline measured by tape would check them.</source>
+        <translation>Der Maßstab beruht allein auf den Maßen des Zielkörpers; eine mit dem Maßband gemessene Basislinie würde ihn prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -511,6 +567,132 @@
     </message>
 </context>
 <context>
+    <name>kambara::ui::CalibrationWindow</name>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The folder %1 can&apos;t be made. Choose a place that can be written to.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden. Wählen Sie einen Ort, an dem geschrieben werden darf.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::CapturePage</name>
+    <message>
+        <source>Without its tick a shot is dropped: it takes no part, but is not lost</source>
+        <translation>Ohne Häkchen ist eine Aufnahme verworfen: Sie zählt nicht mit, geht aber nicht verloren</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Take now</source>
+        <translation>&amp;Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Takes a shot without waiting for stillness</source>
+        <translation>Nimmt auf, ohne auf Ruhe zu warten</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Takes no more shots until pressed again</source>
+        <translation>Nimmt nichts mehr auf, bis wieder gedrückt wird</translation>
+    </message>
+    <message>
+        <source>Simulated target</source>
+        <translation>Simulierter Zielkörper</translation>
+    </message>
+    <message>
+        <source>A helper follows the outline</source>
+        <translation>Ein Helfer folgt dem Umriss</translation>
+    </message>
+    <message>
+        <source>Off: hold the target yourself</source>
+        <translation>Aus: Halten Sie den Zielkörper selbst</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>&amp;Kalibrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Leave</source>
+        <translation>&amp;Verlassen</translation>
+    </message>
+    <message>
+        <source>Back to the choices; everything taken is kept in the folder</source>
+        <translation>Zurück zur Auswahl; alles Aufgenommene bleibt im Ordner</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Waiting for pictures…</source>
+        <translation>Warten auf Bilder …</translation>
+    </message>
+    <message>
+        <source>No shot yet; about %1 are enough.</source>
+        <translation>Noch keine Aufnahme; etwa %1 reichen.</translation>
+    </message>
+    <message>
+        <source>%1 of about %2 shots. Ranges would be off by %3 (one deviation).</source>
+        <translation>%1 von etwa %2 Aufnahmen. Entfernungen wären um %3 falsch (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>Shot %1 taken. Now to the next outline.</source>
+        <translation>Aufnahme %1 gemacht. Nun zum nächsten Umriss.</translation>
+    </message>
+    <message>
+        <source>Enough shots: press Calibrate. More make it a little better.</source>
+        <translation>Genug Aufnahmen: Drücken Sie Kalibrieren. Weitere machen es etwas besser.</translation>
+    </message>
+    <message>
+        <source>No target found for a long time. Is it the one that was chosen? Hold it so that it fills a third of every picture, evenly lit.</source>
+        <translation>Seit Langem kein Zielkörper gefunden. Ist es der gewählte? Halten Sie ihn so, dass er ein Drittel jedes Bildes füllt, gleichmäßig beleuchtet.</translation>
+    </message>
+    <message>
+        <source>There is no place where all cameras see the whole target: take a smaller one, or fewer cameras.</source>
+        <translation>Nirgends sehen alle Kameras den ganzen Zielkörper: Nehmen Sie einen kleineren oder weniger Kameras.</translation>
+    </message>
+    <message>
+        <source>Bring the target to the blue outline in every picture and hold it still. %1</source>
+        <translation>Bringen Sie den Zielkörper in jedem Bild auf den blauen Umriss und halten Sie ihn still. %1</translation>
+    </message>
+    <message>
+        <source>Shot %1: %2 corners</source>
+        <translation>Aufnahme %1: %2 Ecken</translation>
+    </message>
+    <message>
+        <source>Takes the last dropping or keeping back</source>
+        <translation>Nimmt das letzte Verwerfen oder Behalten zurück</translation>
+    </message>
+    <message>
+        <source>No shot was dropped or kept by hand yet.</source>
+        <translation>Noch wurde keine Aufnahme von Hand verworfen oder behalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops the calculation; the shots are kept</source>
+        <translation>Hält die Berechnung an; die Aufnahmen bleiben</translation>
+    </message>
+    <message>
+        <source>Calculates the cameras from the shots kept</source>
+        <translation>Berechnet die Kameras aus den behaltenen Aufnahmen</translation>
+    </message>
+    <message>
+        <source>At least %1 shots are needed.</source>
+        <translation>Mindestens %1 Aufnahmen sind nötig.</translation>
+    </message>
+</context>
+<context>
     <name>kambara::ui::CorrelationMapView</name>
     <message>
         <source>The target is lost; there is no search to show just now.</source>
@@ -519,6 +701,25 @@
     <message>
         <source>No search yet. Choose a target in the left picture.</source>
         <translation>Noch keine Suche. Wählen Sie ein Ziel im linken Bild.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::CoveragePlot</name>
+    <message>
+        <source>Depths and angles covered</source>
+        <translation>Abgedeckte Tiefen und Winkel</translation>
+    </message>
+    <message>
+        <source>Turned and tilted</source>
+        <translation>Gedreht und geneigt</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>No shot yet</source>
+        <translation>Noch keine Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -546,6 +747,54 @@
     <message>
         <source>Fault</source>
         <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::GuideView</name>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Pan-tilt</source>
+        <translation>Schwenkkamera</translation>
+    </message>
+    <message>
+        <source>%1: no picture yet</source>
+        <translation>%1: noch kein Bild</translation>
+    </message>
+    <message>
+        <source>%1 covered</source>
+        <translation>%1 abgedeckt</translation>
+    </message>
+    <message>
+        <source>%1 corners found</source>
+        <translation>%1 Ecken gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::HoldPad</name>
+    <message>
+        <source>Hold the target</source>
+        <translation>Den Zielkörper halten</translation>
+    </message>
+    <message>
+        <source>Drag: move. Shift + drag: turn and tilt. Ctrl + drag: roll. Wheel: nearer and farther. Keys: arrows, with Shift or Ctrl as above; Page up and down</source>
+        <translation>Ziehen: bewegen. Umschalt + Ziehen: drehen und neigen. Strg + Ziehen: rollen. Rad: näher und ferner. Tasten: Pfeile, mit Umschalt oder Strg wie oben; Bild auf und ab</translation>
+    </message>
+    <message>
+        <source>Drag here to hold the target.
+Shift: turn, wheel: nearer</source>
+        <translation>Hier ziehen, um ihn zu halten.
+Umschalt: drehen, Rad: näher</translation>
+    </message>
+    <message>
+        <source>Nothing to hold yet</source>
+        <translation>Noch nichts zu halten</translation>
     </message>
 </context>
 <context>
@@ -637,6 +886,10 @@
     <message>
         <source>H&amp;elp</source>
         <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration</source>
+        <translation>&amp;Kalibrierung</translation>
     </message>
 </context>
 <context>
@@ -815,6 +1068,123 @@
     </message>
 </context>
 <context>
+    <name>kambara::ui::RangeMap</name>
+    <message>
+        <source>Range errors</source>
+        <translation>Entfernungsfehler</translation>
+    </message>
+    <message>
+        <source>Ranges need a left and a right camera that see the same place.</source>
+        <translation>Entfernungen brauchen eine linke und eine rechte Kamera, die denselben Ort sehen.</translation>
+    </message>
+    <message>
+        <source>One deviation of the range, from what the calibration leaves open</source>
+        <translation>Eine Standardabweichung der Entfernung aus dem, was die Kalibrierung offen lässt</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::ResidualPlot</name>
+    <message>
+        <source>%1: residuals %2, drawn %3 times as long</source>
+        <translation>%1: Restfehler %2, %3-mal so lang gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::ResultPage</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Rig file</source>
+        <translation>Rig-Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Save rig</source>
+        <translation>Rig &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Report (HTML)</source>
+        <translation>Bericht (HTML)</translation>
+    </message>
+    <message>
+        <source>Save &amp;report</source>
+        <translation>&amp;Bericht speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the shots</source>
+        <translation>&amp;Zurück zu den Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Verdict: good</source>
+        <translation>Urteil: gut</translation>
+    </message>
+    <message>
+        <source>Verdict: usable</source>
+        <translation>Urteil: brauchbar</translation>
+    </message>
+    <message>
+        <source>Verdict: refused</source>
+        <translation>Urteil: abgelehnt</translation>
+    </message>
+    <message>
+        <source>Nothing speaks against it. Save the rig, then use it for tracking.</source>
+        <translation>Nichts spricht dagegen. Speichern Sie das Rig und verwenden Sie es zum Verfolgen.</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>Range errors</source>
+        <translation>Entfernungsfehler</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>A refused calibration gives no rig: take more shots.</source>
+        <translation>Eine abgelehnte Kalibrierung ergibt kein Rig: Machen Sie weitere Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>Writes the rig with the pictures&apos; hashes, settings, date</source>
+        <translation>Schreibt das Rig mit Prüfsummen der Bilder, Einstellungen und Datum</translation>
+    </message>
+    <message>
+        <source>Shots used</source>
+        <translation>Verwendete Aufnahmen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Corners used</source>
+        <translation>Verwendete Ecken</translation>
+    </message>
+    <message>
+        <source>Left to %1</source>
+        <translation>Links bis %1</translation>
+    </message>
+    <message>
+        <source>Lengths in shots that took no part</source>
+        <translation>Längen in unbeteiligten Aufnahmen</translation>
+    </message>
+    <message>
+        <source>%1 off in the mean</source>
+        <translation>im Mittel %1 falsch</translation>
+    </message>
+    <message>
+        <source>Shot %1 left out</source>
+        <translation>Aufnahme %1 ausgelassen</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+</context>
+<context>
     <name>kambara::ui::SceneView</name>
     <message>
         <source>left green, right cyan, pan-tilt amber
@@ -887,6 +1257,129 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>%1 can&apos;t be written. Choose a folder that you may write to.</source>
         <translation>%1 kann nicht geschrieben werden. Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::SetupPage</name>
+    <message>
+        <source>&lt;h2&gt;Calibrate the cameras&lt;/h2&gt;You show the target to all cameras, about twelve times. The next page draws in blue where to hold it; the pictures are taken by themselves while it is held still.</source>
+        <translation>&lt;h2&gt;Die Kameras kalibrieren&lt;/h2&gt;Sie zeigen den Zielkörper allen Kameras, etwa zwölfmal. Die nächste Seite zeichnet blau, wohin er gehört; die Bilder entstehen von selbst, während er stillgehalten wird.</translation>
+    </message>
+    <message>
+        <source>A target&apos;s short form, or its file (.yaml)</source>
+        <translation>Die Kurzform eines Zielkörpers oder seine Datei (.yaml)</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>&amp;Zielkörper</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Brown (most lenses)</source>
+        <translation>Brown (die meisten Linsen)</translation>
+    </message>
+    <message>
+        <source>Tsai (as in 1999)</source>
+        <translation>Tsai (wie 1999)</translation>
+    </message>
+    <message>
+        <source>&amp;Lens model</source>
+        <translation>&amp;Linsenmodell</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>What the cameras look through while they are calibrated</source>
+        <translation>Wodurch die Kameras blicken, während sie kalibriert werden</translation>
+    </message>
+    <message>
+        <source>&amp;Medium</source>
+        <translation>&amp;Medium</translation>
+    </message>
+    <message>
+        <source>Measured by tape:</source>
+        <translation>Mit dem Maßband gemessen:</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Basislinie</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Resume a session…</source>
+        <translation>Sitzung &amp;fortsetzen …</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>Tsai&apos;s model takes the sensor of the rig in use</source>
+        <translation>Tsais Modell nimmt den Sensor des verwendeten Rigs</translation>
+    </message>
+    <message>
+        <source>Tsai&apos;s model needs the sensor&apos;s numbers, which the rig in use does not have.</source>
+        <translation>Tsais Modell braucht die Zahlen des Sensors, die das verwendete Rig nicht hat.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 × %3 px)</source>
+        <translation>%1 (%2 × %3 px)</translation>
+    </message>
+    <message>
+        <source>It gives no pictures.</source>
+        <translation>Sie liefert keine Bilder.</translation>
+    </message>
+    <message>
+        <source>The left camera always takes part.</source>
+        <translation>Die linke Kamera ist immer beteiligt.</translation>
+    </message>
+    <message>
+        <source>With its head at home</source>
+        <translation>Mit dem Kopf in Ruhestellung</translation>
+    </message>
+    <message>
+        <source>A list of points can&apos;t be found in pictures: choose another target.</source>
+        <translation>Eine Liste von Punkten ist in Bildern nicht zu finden: Wählen Sie einen anderen Zielkörper.</translation>
+    </message>
+    <message>
+        <source>Open a source first.</source>
+        <translation>Öffnen Sie erst eine Quelle.</translation>
+    </message>
+    <message>
+        <source>Name a folder for the session.</source>
+        <translation>Nennen Sie einen Ordner für die Sitzung.</translation>
+    </message>
+    <message>
+        <source>Begins a session in a new folder</source>
+        <translation>Beginnt eine Sitzung in einem neuen Ordner</translation>
+    </message>
+    <message>
+        <source>A folder for the session</source>
+        <translation>Ein Ordner für die Sitzung</translation>
+    </message>
+    <message>
+        <source>The session to resume</source>
+        <translation>Die fortzusetzende Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 Ecken</translation>
     </message>
 </context>
 <context>
@@ -1211,6 +1704,18 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>Forgets all targets</source>
         <translation>Vergisst alle Ziele</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate…</source>
+        <translation>&amp;Kalibrieren …</translation>
+    </message>
+    <message>
+        <source>Calibrates the cameras, step by step</source>
+        <translation>Kalibriert die Kameras, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>The source is over: there are no pictures to calibrate from.</source>
+        <translation>Die Quelle ist zu Ende: Es gibt keine Bilder zum Kalibrieren.</translation>
     </message>
 </context>
 </TS>

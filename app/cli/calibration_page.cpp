@@ -155,10 +155,68 @@ void add_range(HtmlReport& page, const Json& range) {
     page.table(header, rows);
 }
 
+std::string fate_of(const Shot& shot, const SessionPart& session, const CalibrationReport& report) {
+    if (!shot.kept) {
+        return "dropped by hand";
+    }
+    std::string fate = "used";
+    for (const RejectedView& view : report.views_rejected) {
+        if (session.numbers.at(static_cast<std::size_t>(view.view)) == shot.number) {
+            fate = "left out: " + (view.camera.empty() ? "" : view.camera + ": ") + view.reason;
+        }
+    }
+    return fate;
+}
+
+void add_session(HtmlReport& page, const SessionPart& session, const CalibrationReport& report) {
+    page.heading("Shots");
+    std::vector<std::vector<std::string>> rows;
+    std::size_t pose = 0;
+    const bool all_told = session.coverage.poses.size() == session.numbers.size();
+    for (const Shot& shot : session.shots) {
+        std::vector<std::string> row{"shot " + std::to_string(shot.number)};
+        if (shot.kept && all_told) {
+            const HeldPose& held = session.coverage.poses[pose++];
+            row.insert(row.end(), {number(held.depth_mm, "%.0f"), number(held.turn_deg, "%.0f"),
+                                   number(held.tilt_deg, "%.0f"), number(held.roll_deg, "%.0f")});
+        } else {
+            row.insert(row.end(), 4, "-");
+        }
+        row.push_back(fate_of(shot, session, report));
+        rows.push_back(std::move(row));
+    }
+    page.table({"", "depth mm", "turn deg", "tilt deg", "roll deg", ""}, rows);
+    page.heading("Coverage");
+    page.paragraph("Depths " + number(session.coverage.nearest_mm, "%.0f") + " to " +
+                   number(session.coverage.farthest_mm, "%.0f") + " mm, slant up to " +
+                   number(session.coverage.widest_slant_deg, "%.0f") +
+                   " degrees. In how many shots a corner lies in each field of the picture:");
+    for (std::size_t c = 0; c < most_cameras; ++c) {
+        if (!session.setup.cameras[c]) {
+            continue;
+        }
+        const PictureCoverage& picture = session.coverage.pictures[c];
+        std::vector<std::string> header{camera_names[c]};
+        std::vector<std::vector<std::string>> fields;
+        for (int x = 0; x < PictureCoverage::across; ++x) {
+            header.push_back(std::to_string(x + 1));
+        }
+        for (int y = 0; y < PictureCoverage::down; ++y) {
+            std::vector<std::string> row{"row " + std::to_string(y + 1)};
+            for (int x = 0; x < PictureCoverage::across; ++x) {
+                row.push_back(std::to_string(
+                    picture.views[static_cast<std::size_t>(y * PictureCoverage::across + x)]));
+            }
+            fields.push_back(std::move(row));
+        }
+        page.table(header, fields);
+    }
+}
+
 }  // namespace
 
 std::string calibration_page(const Json& json, const CalibrationReport& report,
-                             const std::string& settings) {
+                             const std::string& settings, const SessionPart* session) {
     HtmlReport page("Calibration");
     page.paragraph(settings);
     add_verdict(page, json);
@@ -172,6 +230,9 @@ std::string calibration_page(const Json& json, const CalibrationReport& report,
     }
     if (json.contains("range_error") && !report.range_errors.empty()) {
         add_range(page, json["range_error"]);
+    }
+    if (session != nullptr) {
+        add_session(page, *session, report);
     }
     return page.text();
 }

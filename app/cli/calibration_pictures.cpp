@@ -46,7 +46,7 @@ void look(const fs::path& file, const Target& target, Piece& piece) {
         return;
     }
     piece.size = {picture->width(), picture->height()};
-    piece.mark = file.filename().string() + " " + hash_of(*picture);
+    piece.mark = picture_mark(file, *picture);
     auto found = detect_target(grey_from(*picture), target);
     if (found) {
         piece.sight.corners = std::move(*found);
@@ -56,6 +56,10 @@ void look(const fs::path& file, const Target& target, Piece& piece) {
 }
 
 }  // namespace
+
+std::string picture_mark(const fs::path& file, const Image& picture) {
+    return file.filename().string() + " " + hash_of(picture);
+}
 
 Result<CalibrationFiles> calibration_files(const std::array<std::string, most_cameras>& patterns) {
     CalibrationFiles files;

@@ -9,6 +9,7 @@
 #include "app/cli/terminal.h"
 #include "core/base/result.h"
 #include "core/calibration/rig_calibrator.h"
+#include "core/image/image.h"
 
 namespace kambara::cli {
 
@@ -21,6 +22,9 @@ struct CalibrationFiles {
 /// The files that the patterns name, left, right, pan-tilt; an empty pattern: no such camera.
 /// Refuses lists of different length.
 Result<CalibrationFiles> calibration_files(const std::array<std::string, most_cameras>& patterns);
+
+/// A picture's name and its content's hash (FNV-1a, 64 bits), as rig files keep them.
+std::string picture_mark(const std::filesystem::path& file, const Image& picture);
 
 /// What the target detector finds in them, and the pictures' sizes.
 struct CalibrationViews {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 
+#include "app/kambara/calibration_ports.h"
 #include "app/kambara/command_line.h"
 #include "app/kambara/language.h"
 #include "app/kambara/open_system.h"
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
     ui::WindowOptions options = CommandLine::read(QApplication::arguments());
     ui::apply_theme(application);
     options.with_gl = options.with_gl && ui::can_draw_with_gl();
+    options.calibration = calibration_ports();
     SteadyClock clock;
     const QString pan_tilt = CommandLine::pan_tilt(QApplication::arguments());
     ui::MainWindow window(system_opener(clock, pan_tilt.toStdString()), options);

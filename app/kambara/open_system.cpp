@@ -5,38 +5,66 @@
 
 #include "app/sources/heads.h"
 #include "app/sources/sources.h"
+#include "hardware/simulated/held_target.h"
+#include "hardware/simulated/simulated_world.h"
 
 namespace kambara {
+namespace {
+
+ui::TargetHand hand_of(const Sources& sources) {
+    if (!sources.hand) {
+        return {};
+    }
+    const Target target = *sources.world->profile().calibration_target;
+    const auto corners = corners_in_target_mm(target);
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const auto& corner : corners) {
+        middle += corner / static_cast<double>(corners.size());
+    }
+    ui::TargetHand hand;
+    hand.target = to_string(target);
+    hand.hold = [held = sources.hand, middle](const RigidTransform& T, bool by_helper) {
+        held->hold({T * middle, Eigen::Quaterniond(T.R)}, by_helper);
+    };
+    hand.let_go = [held = sources.hand] { held->let_go(); };
+    return hand;
+}
+
+}  // namespace
 
 ui::SystemOpener system_opener(Clock& clock, const std::string& pan_tilt) {
-    return
-        [&clock, pan_tilt, head = std::shared_ptr<PanTiltCamera>()](
-            const ui::SourceRequest& request) mutable -> Result<std::unique_ptr<VsystemInterface>> {
-            SourceOptions options;
-            if (!pan_tilt.empty() && !head) {
-                auto opened = open_head(pan_tilt, clock);
-                if (!opened) {
-                    return opened.error();
-                }
-                head = std::move(*opened);
+    return [&clock, pan_tilt, head = std::shared_ptr<PanTiltCamera>()](
+               const ui::SourceRequest& request) mutable -> Result<ui::OpenedSystem> {
+        SourceOptions options;
+        if (!pan_tilt.empty() && !head) {
+            auto opened = open_head(pan_tilt, clock);
+            if (!opened) {
+                return opened.error();
             }
-            options.head = head;
-            options.left = request.left;
-            options.right = request.right;
-            options.rig = request.rig;
-            options.pictures_rate_hz = request.pictures_rate_hz;
-            options.live = true;
-            options.pan_tilt_pictures = true;
-            auto sources = open_sources(options, clock);
-            if (!sources) {
-                return sources.error();
-            }
-            VisionSystemOptions system_options;
-            system_options.every_frame = sources->every_frame;
-            system_options.in_real_time = sources->every_frame;
-            system_options.start_paused = sources->every_frame;
-            return open_vision_system(std::move(sources->parts), system_options, clock);
-        };
+            head = std::move(*opened);
+        }
+        options.head = head;
+        options.left = request.left;
+        options.right = request.right;
+        options.rig = request.rig;
+        options.pictures_rate_hz = request.pictures_rate_hz;
+        options.live = true;
+        options.pan_tilt_pictures = true;
+        auto sources = open_sources(options, clock);
+        if (!sources) {
+            return sources.error();
+        }
+        VisionSystemOptions system_options;
+        system_options.every_frame = sources->every_frame;
+        system_options.in_real_time = sources->every_frame;
+        system_options.start_paused = sources->every_frame;
+        const ui::TargetHand hand = hand_of(*sources);
+        auto system = open_vision_system(std::move(sources->parts), system_options, clock);
+        if (!system) {
+            return system.error();
+        }
+        return ui::OpenedSystem{std::move(*system), hand};
+    };
 }
 
 }  // namespace kambara

@@ -8,6 +8,7 @@
 #include "core/camera/nominal_rig.h"
 #include "core/camera/rig_file.h"
 #include "hardware/media/open_media.h"
+#include "hardware/simulated/held_target.h"
 #include "hardware/simulated/simulated_grabber.h"
 #include "hardware/simulated/simulated_head.h"
 #include "hardware/simulated/simulated_world.h"
@@ -78,7 +79,12 @@ Result<Sources> open_simulation(const SourceOptions& options, Clock& clock) {
                      "Start earlier."};
     }
     Sources sources;
-    auto world = std::make_shared<const SimulatedWorld>(*profile);
+    if (options.live && profile->calibration_target) {
+        HeldTarget::Options how;
+        how.seed = profile->seed;
+        sources.hand = std::make_shared<HeldTarget>(how);
+    }
+    auto world = std::make_shared<const SimulatedWorld>(*profile, sources.hand);
     sources.world = world;
     sources.every_frame = !options.live;
     sources.parts.rig = world->rig();

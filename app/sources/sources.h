@@ -13,6 +13,7 @@
 
 namespace kambara {
 
+class HeldTarget;
 class SimulatedWorld;
 
 /// What the command line names: pictures, a rig file, a head.
@@ -38,6 +39,8 @@ struct Sources {
     bool real_head = false;
     /// Where the pictures come from a simulation: its truth.
     std::shared_ptr<const SimulatedWorld> world;
+    /// Live, where the simulation shows a calibration target: the hand that can hold it.
+    std::shared_ptr<HeldTarget> hand;
     /// The simulation's own time, where it does not run in real time.
     std::shared_ptr<ManualClock> simulated_time;
 };

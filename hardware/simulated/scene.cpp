@@ -16,6 +16,8 @@ namespace {
 constexpr double seabed_below_mm = 1500.0;
 constexpr double cameras_down_rad = rad_from_deg(15.0);
 constexpr double pose_held_s = 1.0;
+constexpr double book_range_mm = 950.0;
+constexpr double book_reach_mm = 250.0;
 constexpr double step_held_s = 3.0;
 constexpr float paper_grey = 215.0F;
 constexpr float mark_grey = 30.0F;
@@ -34,8 +36,11 @@ double wave(double time_s, double period_s, double phase) {
 
 }  // namespace
 
-Scene::Scene(const SimulatedProfile& profile)
+Scene::Scene(const SimulatedProfile& profile, std::shared_ptr<HeldTarget> hand,
+             const RigidTransform& T_left_from_rig)
     : profile_(profile),
+      hand_(std::move(hand)),
+      T_left_from_rig_(T_left_from_rig),
       water_(
           water_like(profile.water, profile.haze_per_m, profile.veil_grey, profile.forward_share)),
       snow_(profile.snow_per_litre, profile.seed) {
@@ -153,7 +158,25 @@ Colour Scene::seabed(int which, const Ray& ray, double range_mm, double spread) 
            seabed_tone(tones_->at(hit.x(), hit.dot(forward), footprint));
 }
 
+std::optional<HeldTarget::At> Scene::held_at(double time_s) const {
+    if (!hand_ || !profile_.calibration_target) {
+        return std::nullopt;
+    }
+    const RigidTransform T_left_from_target = T_left_from_rig_ * own_pose(time_s);
+    return hand_->at(time_s,
+                     {T_left_from_target * middle_mm_, Eigen::Quaterniond(T_left_from_target.R)});
+}
+
 RigidTransform Scene::T_rig_from_target(double time_s) const {
+    const auto held = held_at(time_s);
+    if (!held) {
+        return own_pose(time_s);
+    }
+    const Eigen::Matrix3d R = held->pose.turned.toRotationMatrix();
+    return T_left_from_rig_.inverse() * RigidTransform{R, held->pose.middle_mm - R * middle_mm_};
+}
+
+RigidTransform Scene::own_pose(double time_s) const {
     if (profile_.calibration_target) {
         // Every pose has its own random numbers, so that any one can be asked for alone.
         const auto pose = static_cast<std::uint32_t>(std::floor(time_s / pose_held_s));
@@ -162,7 +185,9 @@ RigidTransform Scene::T_rig_from_target(double time_s) const {
         const auto* boxes = std::get_if<BoxTarget>(&*profile_.calibration_target);
         const bool book = boxes != nullptr && boxes->planes.size() > 1;
         const double turn = book ? rad_from_deg(-45.0) : 0.0;  // the edge away from us
-        const double range = typical_range_mm_ * (1.0 + 0.3 * unit(random));
+        // Farther away, the boxes of two planes are too small for the detector at 640 x 480.
+        const double range = book ? book_range_mm + book_reach_mm * unit(random)
+                                  : typical_range_mm_ * (1.0 + 0.3 * unit(random));
         const Eigen::Vector3d place(225.0 + 0.12 * range * unit(random),
                                     0.10 * range * unit(random), range);
         Eigen::Matrix3d R =
@@ -184,6 +209,9 @@ RigidTransform Scene::T_rig_from_target(double time_s) const {
 }
 
 std::int64_t Scene::still_since(double time_s) const {
+    if (const auto held = held_at(time_s)) {
+        return held->still_since;
+    }
     return profile_.calibration_target ? static_cast<std::int64_t>(std::floor(time_s / pose_held_s))
                                        : -1;
 }

@@ -8,6 +8,7 @@
 
 #include "core/geometry/ray.h"
 #include "core/geometry/rigid_transform.h"
+#include "hardware/simulated/held_target.h"
 #include "hardware/simulated/simulated_profile.h"
 #include "hardware/simulated/snow.h"
 #include "hardware/simulated/tile_texture.h"
@@ -25,14 +26,16 @@ struct Particle {
 
 /// What there is to see, in the rig's frame: a textured seabed that lies level under a vehicle
 /// whose cameras look 15 degrees down, and in front of it either a textured square on a smooth path
-/// or a calibration target in still poses. A surface's level is float, grey, or Colour; it is as
-/// seen close by in daylight, while what water and lamps make of it is Lighting's. Immutable; any
-/// thread.
+/// or a calibration target in still poses, or where somebody holds it. A surface's level is float,
+/// grey, or Colour; it is as seen close by in daylight, while what water and lamps make of it is
+/// Lighting's. Immutable but for the hand that holds the target; any thread.
 class Scene {
   public:
     static constexpr double target_half_side_mm = 150.0;
 
-    explicit Scene(const SimulatedProfile& profile);
+    /// With a hand: where that holds the calibration target, T_left_from_rig telling its frame.
+    explicit Scene(const SimulatedProfile& profile, std::shared_ptr<HeldTarget> hand = {},
+                   const RigidTransform& T_left_from_rig = {});
 
     /// There are two seabeds, which may take turns.
     static constexpr int seabeds = 2;
@@ -77,6 +80,9 @@ class Scene {
     Eigen::Vector3d particle_place_mm(const Particle& particle, double time_s) const;
 
   private:
+    RigidTransform own_pose(double time_s) const;
+    std::optional<HeldTarget::At> held_at(double time_s) const;
+
     struct Mark {
         float left, top, right, bottom;  // in a sheet's own coordinates, mm
         bool dark, round;
@@ -88,6 +94,8 @@ class Scene {
     float sheet_grey(std::size_t sheet, float across_mm, float down_mm) const;
 
     SimulatedProfile profile_;
+    std::shared_ptr<HeldTarget> hand_;
+    RigidTransform T_left_from_rig_;
     Water water_;
     Snow snow_;
     std::unique_ptr<TileTexture> tones_;  // of the seabeds, where there is colour

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "core/camera/nominal_rig.h"
 
@@ -26,10 +27,10 @@ const float* numbers(const std::vector<Colour>& colours) {
 
 }  // namespace
 
-SimulatedWorld::SimulatedWorld(const SimulatedProfile& profile)
+SimulatedWorld::SimulatedWorld(const SimulatedProfile& profile, std::shared_ptr<HeldTarget> hand)
     : profile_(profile),
       rig_(nominal_rig(profile.medium)),
-      scene_(profile),
+      scene_(profile, std::move(hand), rig_.left.T_camera_from_rig),
       noise_(profile.noise_grey, profile.seed) {
     if (profile.colour) {
         colour_.emplace(scene_, rig_);

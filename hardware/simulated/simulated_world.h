@@ -20,10 +20,12 @@ namespace kambara {
 enum class FixedCamera { left, right };
 
 /// A simulated rig in its surroundings: pictures, and the truth behind them. Immutable, so any
-/// thread may ask for any frame in any order, and always gets the same.
+/// thread may ask for any frame in any order, and always gets the same; unless a hand holds the
+/// target: then frames are to be asked for about in their order.
 class SimulatedWorld {
   public:
-    explicit SimulatedWorld(const SimulatedProfile& profile);
+    /// With a hand: a calibration target is where that holds it, as long as it does.
+    explicit SimulatedWorld(const SimulatedProfile& profile, std::shared_ptr<HeldTarget> hand = {});
 
     const SimulatedProfile& profile() const { return profile_; }
     const Rig& rig() const { return rig_; }

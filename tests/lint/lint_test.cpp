@@ -71,6 +71,17 @@ TEST_F(LintTest, LetsTheFrontEndSeeTheDoorAndTheSnapshotsOnly) {
     }
 }
 
+TEST_F(LintTest, LetsTheCalibrationWindowAloneSeeCalibration) {
+    const std::string text = head + "#include \"core/calibration/target.h\"\n";
+    write("ui/calibration/good.h", text);
+    EXPECT_TRUE(faults_of_sources(root_).empty());
+    EXPECT_NE(only_fault("ui/video/bad.h", text), "");
+    fs::remove(root_ / "ui/video/bad.h");
+    EXPECT_NE(
+        only_fault("ui/calibration/bad.h", head + "#include \"core/vsystem/vision_system.h\"\n"),
+        "");
+}
+
 TEST_F(LintTest, RefusesHardwareInCore) {
     EXPECT_NE(only_fault("core/vsystem/bad.h", head + "#include \"hardware/media/open_media.h\"\n"),
               "");

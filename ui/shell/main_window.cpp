@@ -17,6 +17,7 @@
 
 #include "core/base/angles.h"
 #include "ui/base/core_text.h"
+#include "ui/calibration/calibration_window.h"
 #include "ui/devices/pan_tilt_pad.h"
 #include "ui/devices/pan_tilt_panel.h"
 #include "ui/plots/plots_panel.h"
@@ -127,6 +128,7 @@ void MainWindow::connect_actions() {
     on(actions_->halt, [this] { link_->send(HaltHead{}); });
     on(actions_->stretch_map, [this](bool on_now) { map_->set_stretched(on_now); });
     on(actions_->default_layout, [this] { lay_out(); });
+    on(actions_->calibrate, [this] { show_calibration(); });
     on(actions_->about, [this] { show_about(this); });
     connect(left_, &VideoView::selected, this, &MainWindow::select);
     connect(left_, &VideoView::target_pointed_at, this,
@@ -156,6 +158,23 @@ void MainWindow::connect_link() {
             });
 }
 
+CalibrationWindow& MainWindow::show_calibration() {
+    if (calibration_ == nullptr) {
+        calibration_ = new CalibrationWindow(options_.calibration, this);
+        connect(calibration_, &CalibrationWindow::simulated_target_asked, this,
+                [this](const QString& target) {
+                    SourceRequest request;
+                    request.left = "sim:chessboard?target=" + target.toStdString();
+                    open(request);
+                });
+        calibration_->set_source(rig_, link_->hand(), !recording_);
+    }
+    calibration_->show();
+    calibration_->raise();
+    calibration_->activateWindow();
+    return *calibration_;
+}
+
 SourceRequest MainWindow::opened_recording() const {
     return recording_ ? opened_ : SourceRequest{};
 }
@@ -168,6 +187,7 @@ void MainWindow::open(const SourceRequest& request) {
 void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
     statusBar()->clearMessage();
     opened_ = request;
+    rig_ = rig;
     recording_ = !is_simulation(request);
     newest_.reset();
     for (VideoView* view : {left_, right_, pan_tilt_}) {
@@ -183,6 +203,9 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
     setWindowTitle(tr("Kambara Vision \u2013 %1").arg(title));
     status_->show_source(title, rig);
     events_->add_note(tr("Opened: %1").arg(title));
+    if (calibration_ != nullptr) {
+        calibration_->set_source(rig, link_->hand(), !recording_);
+    }
     if (recording_) {
         RecentRecordings::remember(request);
         fill_recent();
@@ -198,6 +221,9 @@ void MainWindow::show_snapshot(const SnapshotPtr& snapshot) {
     map_->show_snapshot(snapshot);
     plots_->add(*snapshot);
     scene_->add(*snapshot);
+    if (calibration_ != nullptr && calibration_->isVisible()) {
+        calibration_->show_snapshot(snapshot);
+    }
     if (first) {
         show_numbers();  // what can be done now should be possible at once
     }

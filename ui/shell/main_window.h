@@ -13,6 +13,7 @@ class QMenu;
 
 namespace kambara::ui {
 
+class CalibrationWindow;
 class CorrelationMapView;
 class EventLog;
 class OpenRecordingDialog;
@@ -30,6 +31,7 @@ struct WindowOptions {
     bool keep_layout = true;   ///< false: the layout is neither read nor kept
     SourceRequest first;       ///< opened at once
     SourceRequest simulation;  ///< what "Simulated rig" opens
+    CalibrationPorts calibration = {};
 };
 
 /// twoView's successor: live views, target, map, 3-D view, plots, head and events in one window.
@@ -40,6 +42,8 @@ class MainWindow : public QMainWindow {
     ~MainWindow() override;
 
     SystemLink& link() { return *link_; }
+    /// The guided calibration's window; shown, made when it is first asked for.
+    CalibrationWindow& show_calibration();
     void open_recording_dialog(const SourceRequest& request = {}, const QString& failure = {});
 
   protected:
@@ -85,6 +89,8 @@ class MainWindow : public QMainWindow {
     PanTiltPanel* head_ = nullptr;
     EventLog* events_ = nullptr;
     StatusFields* status_ = nullptr;
+    CalibrationWindow* calibration_ = nullptr;
+    Rig rig_;
     QMenu* recent_ = nullptr;
     QList<QDockWidget*> docks_;
     SnapshotPtr newest_;

@@ -159,6 +159,7 @@ void MainWindow::build_menus() {
     add(tr("&Target"), {actions_->freeze, actions_->select, actions_->start, actions_->stop,
                         actions_->update_template, actions_->clear});
     add(tr("&Head"), {actions_->steer, actions_->home, actions_->halt});
+    add(tr("&Calibration"), {actions_->calibrate});
     QMenu* view = add(tr("&View"), {actions_->stretch_map});
     view->addSeparator();
     for (QDockWidget* dock : docks_) {

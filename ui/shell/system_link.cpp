@@ -68,10 +68,11 @@ void SystemLink::open(const SourceRequest& request) {
         }
         snapshots_.reset();
         events_.reset();
-        system_ = std::move(*system);
+        system_ = std::move(system->system);
         newest_.try_take();
         // Nothing of the new system comes before the window knows of it.
-        on_window([this, request, rig = system_->rig()] {
+        on_window([this, request, rig = system_->rig(), hand = system->hand] {
+            hand_ = hand;
             emit opened(request, rig);
             enqueue([this] { watch(); });
         });

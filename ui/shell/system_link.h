@@ -16,6 +16,7 @@
 
 #include "core/base/latest_value.h"
 #include "core/vsystem/vsystem_interface.h"
+#include "ui/calibration/calibration_ports.h"
 
 namespace kambara::ui {
 
@@ -28,9 +29,14 @@ struct SourceRequest {
     bool operator==(const SourceRequest&) const = default;
 };
 
+/// A vision system that runs, and the hand that holds its target where that is simulated.
+struct OpenedSystem {
+    std::unique_ptr<VsystemInterface> system;
+    TargetHand hand;
+};
+
 /// Opens a vision system; may take its time. Given by the program, which knows the devices.
-using SystemOpener =
-    std::function<Result<std::unique_ptr<VsystemInterface>>(const SourceRequest& request)>;
+using SystemOpener = std::function<Result<OpenedSystem>(const SourceRequest& request)>;
 
 /// The window's end of the vision system. Opens it and carries commands to it on a thread of its
 /// own, so that the window never waits; brings snapshots back through a mailbox in which the newest
@@ -48,6 +54,8 @@ class SystemLink : public QObject {
     void send(std::vector<Command> commands);
     void send(const Command& command) { send(std::vector<Command>{command}); }
     bool busy() const { return under_way_ > 0; }
+    /// Of the system that was opened last.
+    const TargetHand& hand() const { return hand_; }
 
   signals:
     void snapshot_came(const kambara::SnapshotPtr& snapshot);
@@ -72,6 +80,7 @@ class SystemLink : public QObject {
     std::atomic<bool> fetch_pending_ = false;
     std::atomic<int> generation_ = 0;
     int under_way_ = 0;  // the window's thread alone
+    TargetHand hand_;    // likewise
     std::mutex mutex_;
     std::condition_variable_any arrived_;
     std::deque<std::function<void()>> work_;

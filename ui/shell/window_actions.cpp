@@ -43,6 +43,8 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
                 tr("Stops the head at once, from anywhere in the program"), "halt");
     halt->setShortcutContext(Qt::ApplicationShortcut);
     stop->setShortcutContext(Qt::ApplicationShortcut);
+    calibrate = make(tr("&Calibrate\u2026"), QStringLiteral("Ctrl+K"),
+                     tr("Calibrates the cameras, step by step"), "calibrate");
     stretch_map = make(tr("&Stretch map contrast"), QStringLiteral("M"),
                        tr("Spreads the map's colours over the values it holds"), "stretchMap");
     stretch_map->setCheckable(true);
@@ -108,6 +110,8 @@ void WindowActions::update(const Snapshot* snapshot, bool recording) {
     allow(clear, unless(has_template, tr("There is no template.")));
     allow(steer, unless(has_head, no_head));
     steer->setChecked(has_head && snapshot->head->automatic);
+    allow(calibrate,
+          unless(!over, tr("The source is over: there are no pictures to calibrate from.")));
     allow(home, unless(has_head, no_head));
     allow(halt, unless(has_head, no_head));
 }

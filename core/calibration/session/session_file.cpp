@@ -257,13 +257,17 @@ Result<Done> begin_session_folder(const fs::path& folder, const SessionSetup& se
     return write_text_file_atomically(folder / "session.yaml", setup_text(setup));
 }
 
+fs::path shot_picture_file(const fs::path& folder, std::size_t camera, int shot) {
+    return folder / camera_names[camera] / name_of(shot, ".png");
+}
+
 Result<Done> write_shot(const fs::path& folder, const Shot& shot, const PictureSet& pictures,
                         const PictureWriter& write_picture) {
     for (std::size_t c = 0; c < most_cameras; ++c) {
         if (pictures[c] == nullptr || !write_picture) {
             continue;
         }
-        const fs::path path = folder / camera_names[c] / name_of(shot.number, ".png");
+        const fs::path path = shot_picture_file(folder, c, shot.number);
         if (auto done = write_picture(path, *pictures[c]); !done) {
             return done;
         }

@@ -30,6 +30,10 @@ struct SessionContent {
 /// Begins a folder; refuses one that holds a session already.
 Result<Done> begin_session_folder(const std::filesystem::path& folder, const SessionSetup& setup);
 
+/// Where a shot's picture of a camera (as camera_names counts) lies.
+std::filesystem::path shot_picture_file(const std::filesystem::path& folder, std::size_t camera,
+                                        int shot);
+
 /// Adds a shot: pictures first, the corners last, so that a shot is there whole or not at all.
 Result<Done> write_shot(const std::filesystem::path& folder, const Shot& shot,
                         const PictureSet& pictures, const PictureWriter& write_picture);
