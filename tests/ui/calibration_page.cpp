@@ -27,7 +27,9 @@ void CalibrationPage::choose_folder(const QString& folder) {
 }
 
 void CalibrationPage::press(const char* button) {
-    QTest::mouseClick(&part<QAbstractButton>(button), Qt::LeftButton);
+    // Near its left end: a box to tick takes no clicks beyond its text.
+    auto& pressed = part<QAbstractButton>(button);
+    QTest::mouseClick(&pressed, Qt::LeftButton, Qt::NoModifier, {8, pressed.height() / 2});
 }
 
 int CalibrationPage::shots() {
@@ -45,6 +47,10 @@ int CalibrationPage::shots_kept() {
 
 void CalibrationPage::tick_shot(int row, bool on) {
     part<QListWidget>("shotList").item(row)->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+}
+
+void CalibrationPage::hold_key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    QTest::keyClick(&part<QWidget>("holdPad"), key, modifiers);
 }
 
 void CalibrationPage::take(const char* name) {

@@ -24,6 +24,7 @@ class CalibrationPage {
     int shots();
     int shots_kept();
     void tick_shot(int row, bool on);
+    void hold_key(Qt::Key key, Qt::KeyboardModifiers modifiers);
     bool until(const std::function<bool()>& is_so, int seconds) {
         return WindowPage::until(is_so, seconds);
     }

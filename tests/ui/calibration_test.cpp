@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QFile>
+#include <QTabWidget>
 #include <QTemporaryDir>
 
 #include "core/camera/rig_file.h"
@@ -40,6 +41,13 @@ TEST(CalibrationInTheWindow, FollowingTheScreenMakesAGoodRigWithinTwoMinutes) {
     std::printf("guided session: %.1f s\n", 1e-3 * static_cast<double>(since_begin.elapsed()));
     EXPECT_LT(since_begin.elapsed(), 1000 * two_minutes);
     calibration.take("result");
+    for (const char* plot : {"residuals0", "residuals1", "rangeMap"}) {
+        EXPECT_NO_THROW(calibration.part<QWidget>(plot)) << plot;
+    }
+    calibration.part<QTabWidget>("resultTabs").setCurrentIndex(1);
+    calibration.take("ranges");
+    calibration.part<QTabWidget>("resultTabs").setCurrentIndex(2);
+    calibration.take("numbers");
     EXPECT_EQ(calibration.text("calibrationVerdict"), "Verdict: good")
         << calibration.text("calibrationReasons").toStdString();
     calibration.press("saveRig");
@@ -87,6 +95,52 @@ TEST(CalibrationInTheWindow, DropsUndoesLeavesAndResumes) {
     calibration.window().resume(folder.filePath("session"));
     ASSERT_TRUE(calibration.until([&] { return calibration.shows("shotList"); }, 20));
     EXPECT_GE(calibration.shots(), shots);
+}
+
+// Without the helper the target stays where it is; the hand moves it.
+TEST(CalibrationInTheWindow, TheTargetIsHeldByMouseAndKeys) {
+    QTemporaryDir folder;
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    CalibrationPage calibration(page);
+    ASSERT_TRUE(calibration.until([&] { return calibration.can_press("beginSession"); }, 10));
+    calibration.choose_folder(folder.filePath("session"));
+    calibration.press("beginSession");
+    ASSERT_TRUE(calibration.until([&] { return calibration.shots() >= 1; }, two_minutes));
+    calibration.press("helperFollows");
+    ASSERT_TRUE(calibration.until(
+        [&] { return calibration.text("captureBanner").contains("shows it already"); }, 60));
+    const int shots = calibration.shots();
+    for (int i = 0; i < 3; ++i) {
+        calibration.hold_key(Qt::Key_Left, Qt::NoModifier);
+    }
+    EXPECT_TRUE(calibration.until([&] { return calibration.shots() > shots; }, 60))
+        << calibration.text("captureBanner").toStdString();
+}
+
+TEST(CalibrationInTheWindow, ThreeCamerasTakePartAndSolvingCanBeCancelled) {
+    QTemporaryDir folder;
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    CalibrationPage calibration(page);
+    ASSERT_TRUE(calibration.until([&] { return calibration.can_press("beginSession"); }, 10));
+    ASSERT_TRUE(calibration.until([&] { return calibration.can_press("camera2"); }, 10));
+    calibration.press("camera2");
+    calibration.choose_folder(folder.filePath("session"));
+    calibration.press("beginSession");
+    ASSERT_TRUE(calibration.until([&] { return calibration.shots() >= 5; }, two_minutes))
+        << calibration.text("captureBanner").toStdString();
+    calibration.take("three");
+    EXPECT_TRUE(calibration.shows("guideView2"));
+    calibration.press("pauseCapture");
+    calibration.press("solve");
+    ASSERT_TRUE(calibration.shows("solvingBar"));
+    calibration.press("solve");  // now Cancel
+    // Where the computer was quicker than the hand, there is a result instead.
+    ASSERT_TRUE(calibration.until(
+        [&] { return calibration.shows("calibrationVerdict") || !calibration.shows("solvingBar"); },
+        60));
+    EXPECT_GE(calibration.shots(), 5);
 }
 
 TEST(CalibrationInTheWindow, RefusesAFolderThatCantBeWrittenInAPlainSentence) {

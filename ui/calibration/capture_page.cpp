@@ -189,11 +189,8 @@ void CapturePage::show_state(const SessionStatePtr& state) {
                                .arg(percent(state->range_error, 2)));
     fill_shots();
     fill_buttons();
-    if (hand_ && state->next) {
-        pad_->set_pose(state->next->T_left_from_target, middle_of(state->setup.target));
-        if (helper_->isChecked() && state->kept != helper_went_for_) {
-            follow_again();
-        }
+    if (hand_ && helper_->isChecked() && state->kept != helper_went_for_) {
+        follow_again();
     }
 }
 
@@ -203,6 +200,8 @@ void CapturePage::follow_again() {
     }
     helper_went_for_ = state_->kept;
     hand_.hold(state_->next->T_left_from_target, true);
+    // From there the user takes over.
+    pad_->set_pose(state_->next->T_left_from_target, middle_of(state_->setup.target));
     since_hold_.start();
 }
 
