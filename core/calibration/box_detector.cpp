@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/median.h"
 #include "core/calibration/box_grid.h"
@@ -81,8 +82,8 @@ class Detector {
             }
             stages_.candidates.push_back(std::move(*box));
         }
-        blur_px_ = blurs.empty() ? unknown_blur_px : median(blurs);
-        measure_.set_blur_px(blur_px_);
+        blur_seen_ = !blurs.empty();
+        measure_.set_blur_px(blur_seen_ ? median(blurs) : unknown_blur_px);
     }
 
     // Whether it is darker within than without at the middle of every side: a look at a few pixels
@@ -224,6 +225,15 @@ class Detector {
         stages_.numbers.resize(kept);
     }
 
+    // As steps between neighbours at two pixels' distance show it, which a pixel's own area and
+    // their distance widen: so edges are as wide as those of other targets' corners.
+    double edge_width_px(const FittedBox& box) const {
+        constexpr double sharp_variance_px2 = 1.0 / 12.0 + 4.0 / 12.0;
+        return blur_seen_ ? std::sqrt(2.0 * std::numbers::pi *
+                                      (box.blur_px * box.blur_px + sharp_variance_px2))
+                          : 0.0;
+    }
+
     void remark(int number, const std::string& what) {
         remarks_.push_back("Box " + std::to_string(number) + " " + what + "; it is left out.");
     }
@@ -234,9 +244,9 @@ class Detector {
         result.remarks = remarks_;
         for (std::size_t i = 0; i < stages_.boxes.size(); ++i) {
             for (std::size_t k = 0; k < 4; ++k) {
-                result.corners.push_back({4 * stages_.numbers[i] + static_cast<int>(k),
-                                          stages_.boxes[i].corners_px[k],
-                                          stages_.boxes[i].sigma_px[k]});
+                result.corners.push_back(
+                    {4 * stages_.numbers[i] + static_cast<int>(k), stages_.boxes[i].corners_px[k],
+                     stages_.boxes[i].sigma_px[k], edge_width_px(stages_.boxes[i])});
             }
         }
         std::sort(result.corners.begin(), result.corners.end(),
@@ -292,7 +302,7 @@ class Detector {
     const LightOfLevel light_;
     BoxMeasure measure_;
     Straightener straightener_;
-    double blur_px_ = unknown_blur_px;
+    bool blur_seen_ = false;  // an edge whole, so that its width could be told
     std::vector<Quadrilateral> corners_;
     std::vector<std::string> remarks_;
 };
