@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/box_detector.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/median.h"
 #include "core/calibration/box_grid.h"
@@ -14,8 +16,12 @@
 namespace kambara {
 namespace {
 
-constexpr double least_outline_px = 2.5;     // breadth of what is looked at closely
-constexpr double unknown_blur_px = 0.3;      // where no edge is seen whole
+constexpr double least_outline_px = 2.5;  // breadth of what is looked at closely
+constexpr double thin_length_px = 6.0;    // of what may be a box seen from its side
+constexpr std::size_t least_thin = 4;     // that make a plane of such boxes
+constexpr double unknown_blur_px = 0.3;   // where no edge is seen whole
+constexpr double much_blur_px = 0.8;      // which the first look's windows cut short
+constexpr int blur_rounds = 4;
 constexpr std::size_t lines_for_terms = 12;  // long sides that tell the lens's bending
 constexpr std::size_t points_of_long_side = 16;
 constexpr double contrast_share = 0.6;  // of the chains' least contrast, at a glance
@@ -56,7 +62,7 @@ class Detector {
         const auto identity =
             identify_boxes(corners_, grids, layout_, grey_.width(), grey_.height());
         if (!identity) {
-            return explained(identity.error());
+            return explained(identity.error(), grids.empty() ? BoxGrid{} : grids.front());
         }
         measure_again(*identity);
         leave_out_misfits();
@@ -68,22 +74,49 @@ class Detector {
         stages_.chains = closed_edge_chains(grey_, options_.chains);
         for (const EdgeChain& chain : stages_.chains) {
             const auto outline = box_outline(chain);
-            if (outline && breadth_px(*outline) >= least_outline_px && stands_out(*outline)) {
+            if (!outline) {
+                continue;
+            }
+            const double breadth = breadth_px(*outline);
+            if (breadth < options_.least_width_px &&
+                mean_size_px(*outline).maxCoeff() > std::max(thin_length_px, 2.0 * breadth)) {
+                thin_.push_back(*outline);
+            }
+            if (breadth >= least_outline_px && stands_out(*outline)) {
                 stages_.outlines.push_back(upright(*outline));
             }
         }
-        std::vector<double> blurs;
-        for (auto& box : measure_.each(stages_.outlines)) {
-            if (!box) {
-                continue;
+        // What takes all of a step in depends on its width: again, where it is wider than thought.
+        double blur_px = unknown_blur_px;
+        auto measured = measure_.each(stages_.outlines);
+        for (int round = 0; round < blur_rounds; ++round) {
+            std::vector<double> blurs;
+            for (const auto& box : measured) {
+                if (box && !box->sides[0].points_px.empty()) {
+                    blurs.push_back(box->blur_px);
+                }
             }
-            if (!box->sides[0].points_px.empty()) {
-                blurs.push_back(box->blur_px);
+            if (blurs.empty()) {
+                break;
             }
-            stages_.candidates.push_back(std::move(*box));
+            blur_seen_ = true;
+            const double before = std::exchange(blur_px, median(blurs));
+            measure_.set_blur_px(blur_px);
+            if (blur_px < much_blur_px || blur_px < 1.05 * before) {
+                break;
+            }
+            auto again = measure_.each(stages_.outlines);
+            for (std::size_t i = 0; i < measured.size(); ++i) {
+                if (again[i]) {
+                    measured[i] = std::move(again[i]);
+                }
+            }
         }
-        blur_seen_ = !blurs.empty();
-        measure_.set_blur_px(blur_seen_ ? median(blurs) : unknown_blur_px);
+        for (auto& box : measured) {
+            if (box) {
+                stages_.candidates.push_back(std::move(*box));
+            }
+        }
     }
 
     // Whether it is darker within than without at the middle of every side: a look at a few pixels
@@ -260,7 +293,7 @@ class Detector {
     }
 
     // A refusal, with what the picture itself may have to do with it.
-    Error explained(Error error) const {
+    Error explained(Error error, const BoxGrid& largest_grid) const {
         std::vector<double> breadths;
         for (const Quadrilateral& outline : stages_.outlines) {
             breadths.push_back(breadth_px(outline));
@@ -270,12 +303,40 @@ class Detector {
                            std::to_string(median(breadths)).substr(0, 3) +
                            " px wide, which is too small.";
             error.remedy = "Bring the target nearer.";
+        } else if (const auto thin = thin_beside(largest_grid); !thin.empty()) {
+            error.cause += " One plane shows " + std::to_string(largest_grid.size()) +
+                           " boxes; others beside it are about " +
+                           std::to_string(median(thin)).substr(0, 3) +
+                           " px wide, which is too small.";
+            error.remedy = "Turn the target so that it faces the camera with both planes, nearer.";
         } else if (const double blur = picture_blur_px(); blur > 2.0) {
             error.cause += " The picture is blurred: its sharpest edges are about " +
                            std::to_string(static_cast<int>(std::lround(2.0 * blur))) + " px wide.";
             error.remedy = "Focus the lens, or hold the target still.";
         }
         return error;
+    }
+
+    // Where one plane shows well and long outlines stand beside it that are too narrow: how broad
+    // these are. Empty otherwise.
+    std::vector<double> thin_beside(const BoxGrid& grid) const {
+        if (layout_.columns.size() < 2 ||
+            4 * grid.size() < static_cast<std::size_t>(layout_.boxes())) {
+            return {};
+        }
+        Eigen::AlignedBox2d plane;
+        for (const GridBox& g : grid) {
+            for (const Eigen::Vector2d& corner : corners_[g.box]) {
+                plane.extend(corner);
+            }
+        }
+        std::vector<double> breadths;
+        for (const Quadrilateral& outline : thin_) {
+            if (plane.exteriorDistance(0.5 * (outline[0] + outline[2])) < plane.diagonal().norm()) {
+                breadths.push_back(breadth_px(outline));
+            }
+        }
+        return breadths.size() >= least_thin ? breadths : std::vector<double>{};
     }
 
     // From the steepest steps between neighbours, by the whole range of levels.
@@ -304,6 +365,7 @@ class Detector {
     Straightener straightener_;
     bool blur_seen_ = false;  // an edge whole, so that its width could be told
     std::vector<Quadrilateral> corners_;
+    std::vector<Quadrilateral> thin_;  // long outlines, too narrow to be used
     std::vector<std::string> remarks_;
 };
 

@@ -57,7 +57,7 @@ bool can_be_drawn(const Camera& camera, const Target& target,
 }  // namespace
 
 std::vector<ShownTarget> shown_targets(const Rig& rig, int views, std::uint32_t seed,
-                                       double least_boxes_px) {
+                                       double least_boxes_px, double blur_px) {
     const Target target = two_plane_24();
     std::mt19937 random(seed);
     std::vector<ShownTarget> shown;
@@ -78,8 +78,9 @@ std::vector<ShownTarget> shown_targets(const Rig& rig, int views, std::uint32_t 
         for (std::size_t c = 0; c < cameras.size(); ++c) {
             if (cameras[c] != nullptr) {
                 const auto noise = static_cast<std::uint32_t>(10000 * seed + 3 * i + c);
-                shown[i].pictures.push_back(
-                    rendered(scene_of(*cameras[c], shown[i].T_rig_from_target, noise)));
+                BoxScene scene = scene_of(*cameras[c], shown[i].T_rig_from_target, noise);
+                scene.blur_px = blur_px;
+                shown[i].pictures.push_back(rendered(scene));
             }
         }
     });

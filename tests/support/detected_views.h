@@ -20,9 +20,9 @@ struct ShownTarget {
 
 /// The target at random places and turns before the rig, wholly in sight of the left and the right
 /// camera, with at least `least_boxes_px` of width to its narrowest box there; pictures rendered by
-/// exact area coverage, with noise of 2 grey levels.
+/// exact area coverage, blurred, with noise of 2 grey levels.
 std::vector<ShownTarget> shown_targets(const Rig& rig, int views, std::uint32_t seed,
-                                       double least_boxes_px = 6.0);
+                                       double least_boxes_px = 6.0, double blur_px = 0.0);
 
 /// The detector's corners in each of the pictures, on all cores.
 std::vector<RigView> detected_views(const std::vector<ShownTarget>& shown, const Target& target);

@@ -64,5 +64,36 @@ TEST(DetectedRigSlow, ThreeCamerasMeasureTheWorkingVolumeWithTwentySeeds) {
     calibrate_from_pictures(100, 20);
 }
 
+// Sharp pictures pass; the same ones out of focus are warned about, or refused for that reason.
+void blur_pictures(unsigned first_seed, unsigned sets) {
+    const Rig truth = nominal_rig();
+    auto options = options_for(truth, false);
+    options.held_out = false;
+    for (unsigned seed = first_seed; seed < first_seed + sets; ++seed) {
+        const auto shown = shown_targets(truth, 8, seed, 10.0, 2.0);
+        const auto report =
+            calibrate_rig(detected_views(shown, two_plane_24()), two_plane_24(), options);
+        std::string all;
+        for (const std::string& reason : report.reasons) {
+            all += reason + "\n";
+        }
+        for (const RejectedView& view : report.views_rejected) {
+            all += view.reason + "\n";
+        }
+        EXPECT_NE(report.verdict, Verdict::good) << "seed " << seed;
+        EXPECT_NE(all.find("blurred"), std::string::npos)
+            << "seed " << seed << ": " << to_string(report.verdict) << "\n"
+            << all;
+    }
+}
+
+TEST(DetectedRig, BlurredPicturesAreWarnedOf) {
+    blur_pictures(400, 2);
+}
+
+TEST(DetectedRigSlow, FiftyBlurredSetsAreWarnedOf) {
+    blur_pictures(400, 50);
+}
+
 }  // namespace
 }  // namespace kambara
