@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/box_detector.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "core/base/median.h"
 #include "core/calibration/box_grid.h"
@@ -13,8 +16,12 @@
 namespace kambara {
 namespace {
 
-constexpr double least_outline_px = 2.5;     // breadth of what is looked at closely
-constexpr double unknown_blur_px = 0.3;      // where no edge is seen whole
+constexpr double least_outline_px = 2.5;  // breadth of what is looked at closely
+constexpr double thin_length_px = 6.0;    // of what may be a box seen from its side
+constexpr std::size_t least_thin = 4;     // that make a plane of such boxes
+constexpr double unknown_blur_px = 0.3;   // where no edge is seen whole
+constexpr double much_blur_px = 0.8;      // which the first look's windows cut short
+constexpr int blur_rounds = 4;
 constexpr std::size_t lines_for_terms = 12;  // long sides that tell the lens's bending
 constexpr std::size_t points_of_long_side = 16;
 constexpr double contrast_share = 0.6;  // of the chains' least contrast, at a glance
@@ -54,7 +61,7 @@ class Detector {
             corners_, {layout_.gap_to_width, layout_.gap_to_height, most_columns, layout_.rows});
         const auto identity = identify_boxes(corners_, grids, layout_, grey_);
         if (!identity) {
-            return explained(identity.error());
+            return explained(identity.error(), grids.empty() ? BoxGrid{} : grids.front());
         }
         measure_again(*identity);
         leave_out_misfits();
@@ -66,22 +73,49 @@ class Detector {
         stages_.chains = closed_edge_chains(grey_, options_.chains);
         for (const EdgeChain& chain : stages_.chains) {
             const auto outline = box_outline(chain);
-            if (outline && breadth_px(*outline) >= least_outline_px && stands_out(*outline)) {
+            if (!outline) {
+                continue;
+            }
+            const double breadth = breadth_px(*outline);
+            if (breadth < options_.least_width_px &&
+                mean_size_px(*outline).maxCoeff() > std::max(thin_length_px, 2.0 * breadth)) {
+                thin_.push_back(*outline);
+            }
+            if (breadth >= least_outline_px && stands_out(*outline)) {
                 stages_.outlines.push_back(upright(*outline));
             }
         }
-        std::vector<double> blurs;
-        for (auto& box : measure_.each(stages_.outlines)) {
-            if (!box) {
-                continue;
+        // What takes all of a step in depends on its width: again, where it is wider than thought.
+        double blur_px = unknown_blur_px;
+        auto measured = measure_.each(stages_.outlines);
+        for (int round = 0; round < blur_rounds; ++round) {
+            std::vector<double> blurs;
+            for (const auto& box : measured) {
+                if (box && !box->sides[0].points_px.empty()) {
+                    blurs.push_back(box->blur_px);
+                }
             }
-            if (!box->sides[0].points_px.empty()) {
-                blurs.push_back(box->blur_px);
+            if (blurs.empty()) {
+                break;
             }
-            stages_.candidates.push_back(std::move(*box));
+            blur_seen_ = true;
+            const double before = std::exchange(blur_px, median(blurs));
+            measure_.set_blur_px(blur_px);
+            if (blur_px < much_blur_px || blur_px < 1.05 * before) {
+                break;
+            }
+            auto again = measure_.each(stages_.outlines);
+            for (std::size_t i = 0; i < measured.size(); ++i) {
+                if (again[i]) {
+                    measured[i] = std::move(again[i]);
+                }
+            }
         }
-        blur_px_ = blurs.empty() ? unknown_blur_px : median(blurs);
-        measure_.set_blur_px(blur_px_);
+        for (auto& box : measured) {
+            if (box) {
+                stages_.candidates.push_back(std::move(*box));
+            }
+        }
     }
 
     // Whether it is darker within than without at the middle of every side: a look at a few pixels
@@ -223,6 +257,15 @@ class Detector {
         stages_.numbers.resize(kept);
     }
 
+    // As steps between neighbours at two pixels' distance show it, which a pixel's own area and
+    // their distance widen: so edges are as wide as those of other targets' corners.
+    double edge_width_px(const FittedBox& box) const {
+        constexpr double sharp_variance_px2 = 1.0 / 12.0 + 4.0 / 12.0;
+        return blur_seen_ ? std::sqrt(2.0 * std::numbers::pi *
+                                      (box.blur_px * box.blur_px + sharp_variance_px2))
+                          : 0.0;
+    }
+
     void remark(int number, const std::string& what) {
         remarks_.push_back("Box " + std::to_string(number) + " " + what + "; it is left out.");
     }
@@ -233,9 +276,9 @@ class Detector {
         result.remarks = remarks_;
         for (std::size_t i = 0; i < stages_.boxes.size(); ++i) {
             for (std::size_t k = 0; k < 4; ++k) {
-                result.corners.push_back({4 * stages_.numbers[i] + static_cast<int>(k),
-                                          stages_.boxes[i].corners_px[k],
-                                          stages_.boxes[i].sigma_px[k]});
+                result.corners.push_back(
+                    {4 * stages_.numbers[i] + static_cast<int>(k), stages_.boxes[i].corners_px[k],
+                     stages_.boxes[i].sigma_px[k], edge_width_px(stages_.boxes[i])});
             }
         }
         std::sort(result.corners.begin(), result.corners.end(),
@@ -249,7 +292,7 @@ class Detector {
     }
 
     // A refusal, with what the picture itself may have to do with it.
-    Error explained(Error error) const {
+    Error explained(Error error, const BoxGrid& largest_grid) const {
         std::vector<double> breadths;
         for (const Quadrilateral& outline : stages_.outlines) {
             breadths.push_back(breadth_px(outline));
@@ -259,12 +302,40 @@ class Detector {
                            std::to_string(median(breadths)).substr(0, 3) +
                            " px wide, which is too small.";
             error.remedy = "Bring the target nearer.";
+        } else if (const auto thin = thin_beside(largest_grid); !thin.empty()) {
+            error.cause += " One plane shows " + std::to_string(largest_grid.size()) +
+                           " boxes; others beside it are about " +
+                           std::to_string(median(thin)).substr(0, 3) +
+                           " px wide, which is too small.";
+            error.remedy = "Turn the target so that it faces the camera with both planes, nearer.";
         } else if (const double blur = picture_blur_px(); blur > 2.0) {
             error.cause += " The picture is blurred: its sharpest edges are about " +
                            std::to_string(static_cast<int>(std::lround(2.0 * blur))) + " px wide.";
             error.remedy = "Focus the lens, or hold the target still.";
         }
         return error;
+    }
+
+    // Where one plane shows well and long outlines stand beside it that are too narrow: how broad
+    // these are. Empty otherwise.
+    std::vector<double> thin_beside(const BoxGrid& grid) const {
+        if (layout_.columns.size() < 2 ||
+            4 * grid.size() < static_cast<std::size_t>(layout_.boxes())) {
+            return {};
+        }
+        Eigen::AlignedBox2d plane;
+        for (const GridBox& g : grid) {
+            for (const Eigen::Vector2d& corner : corners_[g.box]) {
+                plane.extend(corner);
+            }
+        }
+        std::vector<double> breadths;
+        for (const Quadrilateral& outline : thin_) {
+            if (plane.exteriorDistance(0.5 * (outline[0] + outline[2])) < plane.diagonal().norm()) {
+                breadths.push_back(breadth_px(outline));
+            }
+        }
+        return breadths.size() >= least_thin ? breadths : std::vector<double>{};
     }
 
     // From the steepest steps between neighbours, by the whole range of levels.
@@ -291,8 +362,9 @@ class Detector {
     const LightOfLevel light_;
     BoxMeasure measure_;
     Straightener straightener_;
-    double blur_px_ = unknown_blur_px;
+    bool blur_seen_ = false;  // an edge whole, so that its width could be told
     std::vector<Quadrilateral> corners_;
+    std::vector<Quadrilateral> thin_;  // long outlines, too narrow to be used
     std::vector<std::string> remarks_;
 };
 

@@ -24,7 +24,8 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 // A target somewhere before one of the nominal cameras, wholly in the picture, no box narrower than
 // 6 px, within 45 degrees of upright.
-BoxScene random_scene(std::uint32_t seed, double nearest_mm, double farthest_mm) {
+BoxScene random_scene(std::uint32_t seed, double nearest_mm, double farthest_mm,
+                      double tilt_deg = 30.0) {
     std::mt19937 random(seed);
     const auto uniform = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
@@ -36,7 +37,7 @@ BoxScene random_scene(std::uint32_t seed, double nearest_mm, double farthest_mm)
         const double range = uniform(nearest_mm, farthest_mm);
         scene.camera_from_target = target_pose(
             scene.target, {range * uniform(-0.4, 0.4), range * uniform(-0.25, 0.25), range},
-            uniform(-25.0, 25.0) * degree, uniform(-30.0, 30.0) * degree,
+            uniform(-25.0, 25.0) * degree, uniform(-tilt_deg, tilt_deg) * degree,
             uniform(-40.0, 40.0) * degree);
         const auto corners = true_corners_px(scene);
         bool inside = true;
@@ -84,10 +85,12 @@ struct Errors {
     double rms_px() const { return std::sqrt(squares / (2.0 * corners)); }
 };
 
-Errors measured(int pictures, double nearest_mm, double farthest_mm, double blur_px = 0.0) {
+Errors measured(int pictures, double nearest_mm, double farthest_mm, double blur_px = 0.0,
+                double tilt_deg = 30.0) {
     Errors errors;
     for (int i = 0; i < pictures; ++i) {
-        BoxScene scene = random_scene(static_cast<std::uint32_t>(100 + i), nearest_mm, farthest_mm);
+        BoxScene scene =
+            random_scene(static_cast<std::uint32_t>(100 + i), nearest_mm, farthest_mm, tilt_deg);
         scene.blur_px = blur_px;
         if (const auto detection = detect_boxes(rendered(scene), two_plane_24())) {
             errors.add(scene, *detection);
@@ -115,6 +118,24 @@ TEST(BoxDetector, CornersAreGoodToAFiftiethOfAPixelBeyond) {
     EXPECT_LT(errors.rms_px(), 0.05);
     EXPECT_LT((errors.sum / errors.corners).norm(), 0.01);
     EXPECT_LT(std::abs(errors.outward / errors.corners), 0.01);
+}
+
+// Twenty times as many, and tilted by up to 45 degrees.
+TEST(BoxDetectorSlow, CornersAreGoodInHundredsOfPictures) {
+    for (const bool is_near : {true, false}) {
+        const Errors errors = is_near ? measured(300, 450.0, 1000.0, 0.0, 45.0)
+                                      : measured(300, 1000.0, 1600.0, 0.0, 45.0);
+        const double bias_px = (errors.sum / errors.corners).norm();
+        const double outward_px = std::abs(errors.outward / errors.corners);
+        std::printf("%s a metre: %d pictures, %d corners, %.4f px RMS, bias %.4f, outward %.4f\n",
+                    is_near ? "up to" : "beyond", errors.pictures, errors.corners, errors.rms_px(),
+                    bias_px, outward_px);
+        EXPECT_GE(errors.pictures, 285);
+        EXPECT_EQ(errors.wrong, 0);
+        EXPECT_LT(errors.rms_px(), is_near ? 0.03 : 0.05);
+        EXPECT_LT(bias_px, 0.01);
+        EXPECT_LT(outward_px, 0.01);
+    }
 }
 
 TEST(BoxDetector, BlurMovesNoCorner) {
@@ -231,6 +252,109 @@ TEST(BoxDetector, SaysWhyItRefuses) {
     ASSERT_FALSE(far);
     EXPECT_FALSE(far.error().remedy.empty());
     EXPECT_FALSE(detect_boxes(Image(640, 480, 1, 128), two_plane_24()));
+}
+
+TEST(BoxDetector, SaysWhereOnePlaneIsSeenTooMuchFromItsSide) {
+    BoxScene scene = random_scene(5, 600.0, 700.0);
+    scene.camera_from_target =
+        target_pose(scene.target, {0.0, 0.0, 1300.0}, 37.0 * degree, 0.0, 0.0);
+    const auto askew = detect_boxes(rendered(scene), two_plane_24());
+    ASSERT_FALSE(askew);
+    EXPECT_NE(askew.error().cause.find("too small"), std::string::npos) << askew.error().text();
+    EXPECT_NE(askew.error().remedy.find("both planes"), std::string::npos);
+}
+
+// Planes of black plastic: light boxes on dark, some of them under glare, among round and
+// four-sided things in the background.
+TEST(BoxDetector, LightOnDarkIsAsExactAsDarkOnLight) {
+    BoxTarget light_on_dark = two_plane_24();
+    light_on_dark.dark_on_light = false;
+    Errors dark;
+    Errors light;
+    for (std::uint32_t seed = 300; seed < 312; ++seed) {
+        BoxScene scene = random_scene(seed, 500.0, 1200.0);
+        if (const auto found = detect_boxes(rendered(scene), two_plane_24())) {
+            dark.add(scene, *found);
+        }
+        std::swap(scene.paper, scene.ink);
+        scene.background = 120.0;
+        if (const auto found = detect_boxes(rendered(scene), light_on_dark)) {
+            light.add(scene, *found);
+        }
+    }
+    testing::Test::RecordProperty("dark_rms_px", std::to_string(dark.rms_px()));
+    testing::Test::RecordProperty("light_rms_px", std::to_string(light.rms_px()));
+    EXPECT_EQ(dark.pictures, 12);
+    EXPECT_EQ(light.pictures, 12);
+    EXPECT_EQ(light.wrong, 0);
+    EXPECT_LT(light.rms_px(), 0.03);
+    EXPECT_LT(light.rms_px(), 1.5 * dark.rms_px());
+    EXPECT_LT((light.sum / light.corners).norm(), 0.01);
+    EXPECT_LT(std::abs(light.outward / light.corners), 0.01);
+}
+
+testing_support::Polygon disc(const Eigen::Vector2d& centre, double radius) {
+    testing_support::Polygon outline;
+    for (int i = 0; i < 48; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / 48.0;
+        outline.push_back(centre + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    return outline;
+}
+
+// Round things as large as boxes are no boxes, before or beside the target; nor is what shows
+// through glare.
+void strew_discs(int pictures) {
+    Errors errors;
+    for (int i = 0; i < pictures; ++i) {
+        BoxScene scene = random_scene(static_cast<std::uint32_t>(9000 + i), 500.0, 1300.0);
+        std::mt19937 random(static_cast<std::uint32_t>(i));
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        for (int k = 0; k < 12; ++k) {
+            // On a grid of their own, so that they don't overlap: behind the target's own sheets.
+            const Eigen::Vector2d centre(60.0 + 160.0 * (k % 4) + 40.0 * unit(random),
+                                         60.0 + 160.0 * std::floor(k / 4) + 40.0 * unit(random));
+            scene.behind.push_back({disc(centre, 8.0 + 22.0 * unit(random)), 10.0});
+        }
+        const auto truth = true_corners_px(scene);
+        const auto box = static_cast<std::size_t>(random() % 24);
+        const double height = (truth[4 * box + 3] - truth[4 * box]).norm();
+        scene.over_it.push_back(
+            {disc(truth[4 * box + random() % 4], (0.2 + 0.8 * unit(random)) * height), 250.0});
+        if (const auto detection = detect_boxes(rendered(scene), two_plane_24())) {
+            errors.add(scene, *detection);
+        }
+    }
+    testing::Test::RecordProperty("found", errors.pictures);
+    testing::Test::RecordProperty("rms_px", std::to_string(errors.rms_px()));
+    EXPECT_EQ(errors.wrong, 0);
+    EXPECT_GE(errors.pictures, std::ceil(0.95 * pictures));
+    EXPECT_LT(errors.rms_px(), 0.05);
+}
+
+TEST(BoxDetector, DiscsAndGlareTakeNoBoxesPlace) {
+    strew_discs(40);
+}
+
+TEST(BoxDetectorSlow, DiscsAndGlareTakeNoBoxesPlaceInThreeHundredPictures) {
+    strew_discs(300);
+}
+
+TEST(BoxDetector, TellsHowWideEdgesAre) {
+    double before = 0.0;
+    for (const double blur_px : {0.0, 0.8, 1.5, 2.0}) {
+        BoxScene scene = random_scene(21, 450.0, 600.0);
+        scene.blur_px = blur_px;
+        const auto detection = detect_boxes(rendered(scene), two_plane_24());
+        ASSERT_TRUE(detection) << blur_px << ": " << detection.error().text();
+        const double width = detection->corners.front().blur_px;
+        const double expected =
+            std::sqrt(2.0 * std::numbers::pi * (blur_px * blur_px + 5.0 / 12.0));
+        EXPECT_NEAR(width, expected, 0.15 * expected) << blur_px;
+        EXPECT_GT(width, before);
+        before = width;
+    }
+    EXPECT_GT(before, 4.0);
 }
 
 }  // namespace

@@ -9,11 +9,14 @@
 
 #include "core/geometry/triangulate.h"
 #include "tests/core/calibration/rig_samples.h"
+#include "tests/core/calibration/working_volume.h"
 
 namespace kambara {
 namespace {
 
 using testing_support::options_for;
+using testing_support::range_errors;
+using testing_support::RangeErrors;
 using testing_support::Showing;
 using testing_support::views_of;
 
@@ -222,38 +225,6 @@ TEST(RigCalibrator, EstimatesTheTargetsCornersWhereAsked) {
     EXPECT_GT(rigid.rms_px, 0.085);
     EXPECT_NEAR(estimated.rms_px, 0.05 * std::sqrt(2.0), 0.006);
     EXPECT_NEAR(estimated.pairs[1]->baseline_mm, 450.0, 0.25);
-}
-
-// Ranges of 75 places over the working volume, by a rig that calibration found, against the truth.
-struct RangeErrors {
-    double mean = 0.0;
-    double worst = 0.0;
-};
-
-RangeErrors range_errors(const Rig& truth, const Rig& found, double noise_px,
-                         std::mt19937& random) {
-    std::normal_distribution<double> noise(0.0, 1.0);
-    RangeErrors errors;
-    int n = 0;
-    for (const double azimuth_deg : {-26.0, -13.0, 0.0, 13.0, 26.0}) {
-        for (const double height : {-200.0, 0.0, 200.0}) {
-            for (const double depth : {1000.0, 1250.0, 1500.0, 1750.0, 2000.0}) {
-                const Eigen::Vector3d at(225.0 + depth * std::tan(rad_from_deg(azimuth_deg)),
-                                         height, depth);
-                const Eigen::Vector2d l(noise(random), noise(random));
-                const Eigen::Vector2d r(noise(random), noise(random));
-                const auto a = found.left.unproject(*truth.left.project(at) + noise_px * l);
-                const auto b = found.right->unproject(*truth.right->project(at) + noise_px * r);
-                const double error =
-                    std::abs(meeting_of(*a, *b)->midpoint_mm.norm() / at.norm() - 1.0);
-                errors.mean += error;
-                errors.worst = std::max(errors.worst, error);
-                ++n;
-            }
-        }
-    }
-    errors.mean /= n;
-    return errors;
 }
 
 int seeds_of_three_cameras() {
