@@ -101,6 +101,9 @@ void draw(const Piece& piece, BoxCoverage::Region& region) {
             if (x + 1 < region.width) {
                 region.share(i + 1) -= down * (1.0 - covered);
             }
+            if (region.by_corners.rows() == 0) {
+                continue;
+            }
             const double t = piece.t_a + middle * (piece.t_b - piece.t_a);
             const Point moves = (high - low) * normal;
             region.by_corners.row(i).segment<2>(corner_a) += (1.0 - t) * moves.transpose();
@@ -109,15 +112,26 @@ void draw(const Piece& piece, BoxCoverage::Region& region) {
     }
 }
 
-double distance_outside(const Quadrilateral& box, const Point& p) {
-    double farthest = -1e9;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Point along = (box[(i + 1) % 4] - box[i]).normalized();
-        farthest =
-            std::max(farthest, along.y() * (p.x() - box[i].x()) - along.x() * (p.y() - box[i].y()));
+// How far outside a quadrilateral places lie.
+class Outside {
+  public:
+    explicit Outside(const Quadrilateral& box) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Point along = (box[(i + 1) % 4] - box[i]).normalized();
+            lines_[i] = {along.y(), -along.x(), along.x() * box[i].y() - along.y() * box[i].x()};
+        }
     }
-    return farthest;
-}
+    double distance_px(const Point& p) const {
+        double farthest = -1e9;
+        for (const Eigen::Vector3d& line : lines_) {
+            farthest = std::max(farthest, line.x() * p.x() + line.y() * p.y() + line.z());
+        }
+        return farthest;
+    }
+
+  private:
+    std::array<Eigen::Vector3d, 4> lines_;
+};
 
 using Parameters = Eigen::Matrix<double, 10, 1>;  // corners, light outside, light inside
 using Normal = Eigen::Matrix<double, 10, 10>;
@@ -137,11 +151,12 @@ Step step_of(const Image& grey, const LightOfLevel& light, const BoxCoverage::Re
     step.normal.setZero();
     Parameters right = Parameters::Zero();
     Parameters row;
+    const Outside outline(box);
     for (int y = 0; y < region.height; ++y) {
         for (int x = 0; x < region.width; ++x) {
             const Eigen::Index i = y * region.width + x;
             const Point place(region.x0 + x, region.y0 + y);
-            if (distance_outside(box, place) > ring_px) {
+            if (outline.distance_px(place) > ring_px) {
                 continue;
             }
             const double others_here = others.at(region.x0 + x, region.y0 + y);
@@ -180,7 +195,8 @@ BoxCoverage::BoxCoverage(int width, int height, double blur_px)
 }
 
 BoxCoverage::Region BoxCoverage::region_of(const Quadrilateral& box, double around_px,
-                                           const Straightener& straightener) const {
+                                           const Straightener& straightener,
+                                           bool shares_only) const {
     Point low = box[0];
     Point high = box[0];
     for (const Point& p : box) {
@@ -198,7 +214,7 @@ BoxCoverage::Region BoxCoverage::region_of(const Quadrilateral& box, double arou
     const Eigen::Index n = static_cast<Eigen::Index>(std::max(0, region.width)) *
                            static_cast<Eigen::Index>(std::max(0, region.height));
     region.share = Eigen::VectorXd::Zero(n);
-    region.by_corners = Eigen::Matrix<double, Eigen::Dynamic, 8>::Zero(n, 8);
+    region.by_corners = Eigen::Matrix<double, Eigen::Dynamic, 8>::Zero(shares_only ? 0 : n, 8);
     if (n == 0) {
         return region;
     }
@@ -237,13 +253,14 @@ void BoxCoverage::blur(Region& region) const {
     };
     pass(region.height, region.width, 1, region.width, region.share);
     pass(region.width, region.height, region.width, 1, region.share);
-    for (Eigen::Index c = 0; c < 8; ++c) {
+    for (Eigen::Index c = 0; c < 8 && region.by_corners.rows() > 0; ++c) {
         pass(region.height, region.width, 1, region.width, region.by_corners.col(c));
         pass(region.width, region.height, region.width, 1, region.by_corners.col(c));
     }
 }
 
-void BoxCoverage::add(const Region& region, double sign) {
+void BoxCoverage::add(const Quadrilateral& box, const Straightener& straightener, double sign) {
+    const Region region = region_of(box, 0.0, straightener, true);
     for (int y = 0; y < region.height; ++y) {
         for (int x = 0; x < region.width; ++x) {
             sum_[static_cast<std::size_t>((region.y0 + y) * width_ + region.x0 + x)] +=

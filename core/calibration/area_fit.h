@@ -15,7 +15,8 @@ class BoxCoverage {
     BoxCoverage(int width, int height, double blur_px);
 
     /// A box's own share about it, and how it follows the eight coordinates of the corners. Rows of
-    /// the matrices are the region's pixels, row by row.
+    /// the matrices are the region's pixels, row by row; without `by_corners` where only shares
+    /// were asked for.
     struct Region {
         int x0 = 0;
         int y0 = 0;
@@ -24,11 +25,11 @@ class BoxCoverage {
         Eigen::VectorXd share;
         Eigen::Matrix<double, Eigen::Dynamic, 8> by_corners;
     };
-    Region region_of(const Quadrilateral& box, double around_px,
-                     const Straightener& straightener) const;
+    Region region_of(const Quadrilateral& box, double around_px, const Straightener& straightener,
+                     bool shares_only = false) const;
 
     /// Puts a box into the sum of all, or takes it out with a sign of -1.
-    void add(const Region& region, double sign);
+    void add(const Quadrilateral& box, const Straightener& straightener, double sign);
     double at(int x, int y) const { return sum_[static_cast<std::size_t>(y * width_ + x)]; }
     int width() const { return width_; }
     int height() const { return height_; }

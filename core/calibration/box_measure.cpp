@@ -30,7 +30,7 @@ std::vector<std::optional<FittedBox>> BoxMeasure::each(
             corners[i] = boxes[i]->corners_px;
         }
         if (breadth_px(corners[i]) < broad_px) {
-            all.add(all.region_of(corners[i], 0.0, {}), 1.0);
+            all.add(corners[i], {}, 1.0);
         }
     }
     // Those without rows of their own, by all their pixels; again where a neighbour stood wrong.
@@ -39,12 +39,12 @@ std::vector<std::optional<FittedBox>> BoxMeasure::each(
             if (boxes[i] || breadth_px(corners[i]) >= broad_px) {
                 continue;
             }
-            all.add(all.region_of(corners[i], 0.0, {}), -1.0);
+            all.add(corners[i], {}, -1.0);
             boxes[i] = fit_area(grey_, light_, corners[i], options_, all);
             if (boxes[i]) {
                 corners[i] = boxes[i]->corners_px;
             }
-            all.add(all.region_of(corners[i], 0.0, {}), 1.0);
+            all.add(corners[i], {}, 1.0);
         }
     }
     return boxes;
@@ -57,7 +57,7 @@ std::vector<std::optional<FittedBox>> BoxMeasure::together(const std::vector<Qua
     for (int round = 0; round < rounds; ++round) {
         BoxCoverage all(grey_.width(), grey_.height(), options_.blur_px);
         for (const Quadrilateral& c : corners) {
-            all.add(all.region_of(c, 0.0, straightener), 1.0);
+            all.add(c, straightener, 1.0);
         }
         for (std::size_t i = 0; i < corners.size(); ++i) {
             if (breadth_px(corners[i]) >= broad_px) {
@@ -66,12 +66,12 @@ std::vector<std::optional<FittedBox>> BoxMeasure::together(const std::vector<Qua
                 }
                 continue;
             }
-            all.add(all.region_of(corners[i], 0.0, straightener), -1.0);
+            all.add(corners[i], straightener, -1.0);
             boxes[i] = fit_area(grey_, light_, corners[i], options_, all, straightener);
             if (boxes[i]) {
                 corners[i] = boxes[i]->corners_px;
             }
-            all.add(all.region_of(corners[i], 0.0, straightener), 1.0);
+            all.add(corners[i], straightener, 1.0);
         }
     }
     return boxes;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sets of views with something wrong: none may pass unsaid; and sets with nothing wrong: they pass.
-// KAMBARA_ADVERSARIAL_SETS sets how many of each (long runs: 50; good ones four times as many).
+// One set of each kind; the slow ones fifty, and four times as many good ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 
 #include "tests/core/calibration/rig_samples.h"
@@ -16,15 +15,26 @@ using testing_support::options_for;
 using testing_support::Showing;
 using testing_support::views_of;
 
-int sets_of_each() {
-    const char* wanted = std::getenv("KAMBARA_ADVERSARIAL_SETS");
-    return wanted != nullptr ? std::atoi(wanted) : 1;
-}
-
 constexpr double noise_px = 0.08;
 
-class AdversarialTest : public testing::Test {
+class Adversarial : public testing::Test {
   protected:
+    explicit Adversarial(int sets) : sets_(sets) {}
+
+    void good_sets_pass();
+    void mirrored_pictures();
+    void both_sides_mirrored_chessboards();
+    void shuffled_pictures();
+    void one_mismatched_pair();
+    void one_picture_repeated();
+    void one_pair_twice();
+    void narrow_depth();
+    void wrong_size_of_the_boxes();
+    void only_the_gaps_are_wrong();
+    void blurred_pictures();
+    void two_targets();
+
+  private:
     // One good set: boxes before the nominal rig, a baseline by tape.
     std::vector<RigView> good(unsigned seed, Showing how = {}) {
         random_.seed(seed);
@@ -46,8 +56,7 @@ class AdversarialTest : public testing::Test {
                      const Showing& how = {}) {
         int wrong = 0;
         int refused = 0;
-        const int sets = sets_of_each();
-        for (int i = 0; i < sets; ++i) {
+        for (int i = 0; i < sets_; ++i) {
             const Target shown = target_;
             auto views = good(1000U + static_cast<unsigned>(i), how);
             spoil(views);  // the target, too, perhaps
@@ -65,10 +74,11 @@ class AdversarialTest : public testing::Test {
             wrong += passed ? 1 : 0;
             EXPECT_FALSE(passed) << "set " << i << ": " << to_string(report.verdict) << " " << all;
         }
-        std::printf("%d of %d refused, %d warned of, %d wrong\n", refused, sets,
-                    sets - refused - wrong, wrong);
+        std::printf("%d of %d refused, %d warned of, %d wrong\n", refused, sets_,
+                    sets_ - refused - wrong, wrong);
     }
 
+    const int sets_;  // of each kind
     const Rig rig_ = nominal_rig();
     Target target_ = two_plane_24();
     std::mt19937 random_;
@@ -80,8 +90,8 @@ void mirror(RigView& view, std::size_t camera) {
     }
 }
 
-TEST_F(AdversarialTest, GoodSetsPass) {
-    const int sets = 4 * sets_of_each();
+void Adversarial::good_sets_pass() {
+    const int sets = 4 * sets_;
     int accepted = 0;
     int without_a_word = 0;
     for (int i = 0; i < sets; ++i) {
@@ -97,7 +107,7 @@ TEST_F(AdversarialTest, GoodSetsPass) {
     EXPECT_GE(without_a_word, 0.85 * sets);
 }
 
-TEST_F(AdversarialTest, MirroredPictures) {
+void Adversarial::mirrored_pictures() {
     expect_said({"mirrored"}, [](auto& views) {
         for (RigView& view : views) {
             mirror(view, 0);
@@ -105,7 +115,7 @@ TEST_F(AdversarialTest, MirroredPictures) {
     });
 }
 
-TEST_F(AdversarialTest, BothSidesMirroredChessboards) {
+void Adversarial::both_sides_mirrored_chessboards() {
     // The corners of a mirrored chessboard are found in an order that looks right.
     target_ = ChessboardTarget{9, 6, 40.0};
     Showing how;
@@ -132,7 +142,7 @@ TEST_F(AdversarialTest, BothSidesMirroredChessboards) {
         how);
 }
 
-TEST_F(AdversarialTest, ShuffledPictures) {
+void Adversarial::shuffled_pictures() {
     expect_said({"do not belong together", "fit each other"}, [this](auto& views) {
         std::vector<CameraSight> right;
         for (const RigView& view : views) {
@@ -145,25 +155,25 @@ TEST_F(AdversarialTest, ShuffledPictures) {
     });
 }
 
-TEST_F(AdversarialTest, OneMismatchedPair) {
+void Adversarial::one_mismatched_pair() {
     expect_said({"not fit the others"}, [](auto& views) {
         std::swap(views[2].sights[1], views[9].sights[1]);
         views.pop_back();
     });
 }
 
-TEST_F(AdversarialTest, OnePictureRepeated) {
+void Adversarial::one_picture_repeated() {
     expect_said({"Only 1 views", "repeat"}, [](auto& views) {
         const RigView first = views[0];
         std::fill(views.begin(), views.end(), first);
     });
 }
 
-TEST_F(AdversarialTest, OnePairTwice) {
+void Adversarial::one_pair_twice() {
     expect_said({"repeats a picture"}, [](auto& views) { views[5] = views[1]; });
 }
 
-TEST_F(AdversarialTest, NarrowDepth) {
+void Adversarial::narrow_depth() {
     // A flat board straight ahead, always as far away.
     target_ = ChessboardTarget{9, 6, 40.0};
     Showing how;
@@ -174,7 +184,7 @@ TEST_F(AdversarialTest, NarrowDepth) {
         {"depth is narrow"}, [](auto&) {}, how);
 }
 
-TEST_F(AdversarialTest, WrongSizeOfTheBoxes) {
+void Adversarial::wrong_size_of_the_boxes() {
     expect_said({"deviations from the measured"}, [this](auto&) {
         BoxTarget larger = two_plane_24();
         larger.box_width_mm *= 1.02;
@@ -187,7 +197,7 @@ TEST_F(AdversarialTest, WrongSizeOfTheBoxes) {
     });
 }
 
-TEST_F(AdversarialTest, OnlyTheGapsAreWrong) {
+void Adversarial::only_the_gaps_are_wrong() {
     expect_said({"residuals", "not fit", "deviations from the measured"}, [this](auto&) {
         BoxTarget other = two_plane_24();
         other.planes[0].gap_after_mm = 20.0;
@@ -195,7 +205,7 @@ TEST_F(AdversarialTest, OnlyTheGapsAreWrong) {
     });
 }
 
-TEST_F(AdversarialTest, BlurredPictures) {
+void Adversarial::blurred_pictures() {
     expect_said({"blur", "Blur"}, [this](auto& views) {
         std::normal_distribution<double> noise(0.0, 0.12);
         for (RigView& view : views) {
@@ -211,7 +221,7 @@ TEST_F(AdversarialTest, BlurredPictures) {
 }
 
 // In some pictures another target of the same kind is found, which lies elsewhere.
-TEST_F(AdversarialTest, TwoTargets) {
+void Adversarial::two_targets() {
     expect_said({"not fit", "do not belong together"}, [this](auto& views) {
         Showing how;
         how.views = static_cast<int>(views.size());
@@ -222,6 +232,90 @@ TEST_F(AdversarialTest, TwoTargets) {
             views[i].sights[1] = others[i].sights[1];
         }
     });
+}
+
+class AdversarialTest : public Adversarial {
+  protected:
+    AdversarialTest() : Adversarial(1) {}
+};
+
+class AdversarialSlow : public Adversarial {
+  protected:
+    AdversarialSlow() : Adversarial(50) {}
+};
+
+TEST_F(AdversarialTest, GoodSetsPass) {
+    good_sets_pass();
+}
+TEST_F(AdversarialTest, MirroredPictures) {
+    mirrored_pictures();
+}
+TEST_F(AdversarialTest, BothSidesMirroredChessboards) {
+    both_sides_mirrored_chessboards();
+}
+TEST_F(AdversarialTest, ShuffledPictures) {
+    shuffled_pictures();
+}
+TEST_F(AdversarialTest, OneMismatchedPair) {
+    one_mismatched_pair();
+}
+TEST_F(AdversarialTest, OnePictureRepeated) {
+    one_picture_repeated();
+}
+TEST_F(AdversarialTest, OnePairTwice) {
+    one_pair_twice();
+}
+TEST_F(AdversarialTest, NarrowDepth) {
+    narrow_depth();
+}
+TEST_F(AdversarialTest, WrongSizeOfTheBoxes) {
+    wrong_size_of_the_boxes();
+}
+TEST_F(AdversarialTest, OnlyTheGapsAreWrong) {
+    only_the_gaps_are_wrong();
+}
+TEST_F(AdversarialTest, BlurredPictures) {
+    blurred_pictures();
+}
+TEST_F(AdversarialTest, TwoTargets) {
+    two_targets();
+}
+
+TEST_F(AdversarialSlow, GoodSetsPass) {
+    good_sets_pass();
+}
+TEST_F(AdversarialSlow, MirroredPictures) {
+    mirrored_pictures();
+}
+TEST_F(AdversarialSlow, BothSidesMirroredChessboards) {
+    both_sides_mirrored_chessboards();
+}
+TEST_F(AdversarialSlow, ShuffledPictures) {
+    shuffled_pictures();
+}
+TEST_F(AdversarialSlow, OneMismatchedPair) {
+    one_mismatched_pair();
+}
+TEST_F(AdversarialSlow, OnePictureRepeated) {
+    one_picture_repeated();
+}
+TEST_F(AdversarialSlow, OnePairTwice) {
+    one_pair_twice();
+}
+TEST_F(AdversarialSlow, NarrowDepth) {
+    narrow_depth();
+}
+TEST_F(AdversarialSlow, WrongSizeOfTheBoxes) {
+    wrong_size_of_the_boxes();
+}
+TEST_F(AdversarialSlow, OnlyTheGapsAreWrong) {
+    only_the_gaps_are_wrong();
+}
+TEST_F(AdversarialSlow, BlurredPictures) {
+    blurred_pictures();
+}
+TEST_F(AdversarialSlow, TwoTargets) {
+    two_targets();
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "core/geometry/triangulate.h"
 #include "tests/core/calibration/rig_samples.h"
@@ -227,20 +226,14 @@ TEST(RigCalibrator, EstimatesTheTargetsCornersWhereAsked) {
     EXPECT_NEAR(estimated.pairs[1]->baseline_mm, 450.0, 0.25);
 }
 
-int seeds_of_three_cameras() {
-    const char* wanted = std::getenv("KAMBARA_RIG_SEEDS");
-    return wanted != nullptr ? std::atoi(wanted) : 3;
-}
-
 // Three cameras, thirty views of the 24-box target; corners as noisy as the detector leaves them,
-// no tape. KAMBARA_RIG_SEEDS sets how many rigs are calibrated (long runs: 20).
-TEST(RigCalibrator, ThreeCamerasMeasureTheWorkingVolume) {
+// no tape.
+void measure_the_working_volume(unsigned seeds) {
     const Rig truth = nominal_rig();
     double worst_baseline = 0.0;
     RangeErrors exact;
     RangeErrors noisy;
-    for (unsigned seed = 100; seed < 100U + static_cast<unsigned>(seeds_of_three_cameras());
-         ++seed) {
+    for (unsigned seed = 100; seed < 100U + seeds; ++seed) {
         std::mt19937 random(seed);
         auto options = options_for(truth);
         options.held_out = false;
@@ -264,6 +257,14 @@ TEST(RigCalibrator, ThreeCamerasMeasureTheWorkingVolume) {
     EXPECT_LT(exact.worst, 0.0015);
     EXPECT_LT(noisy.mean, 0.001);
     EXPECT_LT(noisy.worst, 0.004);
+}
+
+TEST(RigCalibrator, ThreeCamerasMeasureTheWorkingVolume) {
+    measure_the_working_volume(3);
+}
+
+TEST(RigCalibratorSlow, ThreeCamerasMeasureTheWorkingVolumeWithTwentySeeds) {
+    measure_the_working_volume(20);
 }
 
 // What the map says of ranges is what happens: errors over many calibrations against its sigmas.
