@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <optional>
 
 namespace kambara {
@@ -13,6 +14,8 @@ constexpr double least_picture_share = 0.4;
 constexpr double least_depth_ratio = 1.4;
 constexpr double most_systematic_share = 0.5;  // of the residuals, and at least ...
 constexpr double least_systematic_px = 0.05;
+constexpr double least_target_px = 0.1;  // of what residuals at one corner have in common
+constexpr double most_target_share = 0.4;
 constexpr double most_outliers = 0.02;
 constexpr double most_focal_difference = 0.1;  // between left and right
 constexpr double usable_range_error = 0.01;    // one deviation over the range
@@ -51,6 +54,7 @@ class Judgement {
             }
         }
         residuals();
+        target_fits();
         depth(target);
         if (report_.cameras[1]) {
             sides();
@@ -226,6 +230,41 @@ class Judgement {
         const double out = 1.0 - report_.corners_used / std::max(1.0, all);
         if (out > most_outliers && report_.views_rejected.empty()) {
             warn(percent(out) + " of the corners fit nowhere and are left out.");
+        }
+    }
+
+    // Residuals that a corner of the target has in common over the views are no noise of pictures:
+    // the corner lies elsewhere. The mean square of a mean of n holds an n-th of the variance
+    // about it, which is taken off.
+    void target_fits() {
+        struct Sum {
+            int n = 0;
+            Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+            double squares = 0.0;
+        };
+        std::map<int, Sum> corners;
+        for (const Residual& r : report_.residuals) {
+            if (r.used) {
+                Sum& s = corners[r.id];
+                ++s.n;
+                s.sum += r.residual_px;
+                s.squares += r.residual_px.squaredNorm();
+            }
+        }
+        double common = 0.0;
+        double weights = 0.0;
+        for (const auto& [id, s] : corners) {
+            if (s.n > 1) {
+                const double of_mean = s.sum.squaredNorm() / s.n;
+                const double variance = (s.squares - of_mean) / (s.n - 1);
+                common += of_mean - variance;
+                weights += s.n;
+            }
+        }
+        const double common_px = std::sqrt(std::max(0.0, common) / std::max(1.0, weights));
+        if (common_px > std::max(least_target_px, most_target_share * report_.rms_px)) {
+            warn("The residuals hang together over the target (" + number(common_px, 2) +
+                 " px): its sizes and gaps are not as described. Measure it again.");
         }
     }
 

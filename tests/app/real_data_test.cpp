@@ -94,6 +94,12 @@ TEST_F(RealDataTest, TheRenderedTwoPlaneRigIsFound) {
     EXPECT_NEAR(baseline, 450.0, 0.45);
     EXPECT_NEAR(left, 2.846366, 0.002 * 2.85);
     EXPECT_NEAR(right, 2.882766, 0.002 * 2.88);
+    // Four pictures show one of the planes too much from its side, and say so.
+    const std::string rejected = report["views_rejected"].dump();
+    for (const char* file : {"right00", "left06", "right07", "right09"}) {
+        EXPECT_NE(rejected.find(file), std::string::npos) << file << " in " << rejected;
+    }
+    EXPECT_NE(rejected.find("too small"), std::string::npos) << rejected;
     EXPECT_NE(testing_support::text_of(folder_ / "report.html").find("Verdict"), std::string::npos);
 }
 
