@@ -26,6 +26,7 @@ constexpr int side_width = 340;
 constexpr int least_shots = 3;
 constexpr qint64 long_without_target_ms = 15000;
 constexpr qint64 shot_told_ms = 1500;
+constexpr qint64 failure_told_ms = 10'000;
 constexpr qint64 helper_tries_again_ms = 5000;
 
 // Of the corners, as the simulated hand counts.
@@ -164,7 +165,7 @@ void CapturePage::begin(const SessionSetup& setup) {
     }
     coverage_->show_coverage({});
     since_found_.start();
-    since_shot_.invalidate();
+    since_told_.invalidate();
     show_solving(false, 0.0);
     say(tr("Waiting for pictures\u2026"), theme::faint);
 }
@@ -217,11 +218,12 @@ void CapturePage::show_look(const SessionLookPtr& look) {
         since_found_.start();
     }
     if (seen.shot) {
-        since_shot_.start();
+        since_told_.start();
+        told_for_ms_ = shot_told_ms;
         say(tr("Shot %1 taken. Now to the next outline.").arg(*seen.shot), theme::good);
         return;
     }
-    if (since_shot_.isValid() && since_shot_.elapsed() < shot_told_ms) {
+    if (since_told_.isValid() && since_told_.elapsed() < told_for_ms_) {
         return;  // long enough to be read
     }
     const bool enough = state_ && state_->kept >= enough_shots;
@@ -248,7 +250,8 @@ void CapturePage::show_look(const SessionLookPtr& look) {
 
 void CapturePage::show_failure(const QString& text) {
     say(text, theme::bad);
-    since_shot_.start();
+    since_told_.start();
+    told_for_ms_ = failure_told_ms;
 }
 
 void CapturePage::show_solving(bool under_way, double share) {

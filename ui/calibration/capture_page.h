@@ -56,7 +56,8 @@ class CapturePage : public QWidget {
     bool solving_ = false;
     int helper_went_for_ = -1;  // shots kept
     QElapsedTimer since_found_;
-    QElapsedTimer since_shot_;
+    QElapsedTimer since_told_;  // what is to be read for a while
+    qint64 told_for_ms_ = 0;
     QElapsedTimer since_hold_;
     std::array<GuideView*, most_cameras> views_{};
     QLabel* banner_;
