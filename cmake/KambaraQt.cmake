@@ -33,13 +33,10 @@ else()
     set(KAMBARA_QCUSTOMPLOT QCustomPlot::QCustomPlot)
 endif()
 
-kambara_precompiled_set(kambara_precompiled_ui ${KAMBARA_QT_TARGET}Widgets HEADERS <QWidget> <QString> <QObject>)
-
 # kambara_ui_library(ui_video SOURCES a.cpp ... PUBLIC core_vsystem ... PRIVATE ...)
 function(kambara_ui_library name)
     cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
     kambara_library(${name} OWN_OPTIONS SOURCES ${ARG_SOURCES}
         PUBLIC ${KAMBARA_QT_TARGET}Widgets ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
-    kambara_precompile(${name} kambara_precompiled_ui)
 endfunction()
