@@ -36,7 +36,7 @@ endif()
 # kambara_ui_library(ui_video SOURCES a.cpp ... PUBLIC core_vsystem ... PRIVATE ...)
 function(kambara_ui_library name)
     cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-    kambara_library(${name} OWN_OPTIONS SOURCES ${ARG_SOURCES}
+    kambara_library(${name} SOURCES ${ARG_SOURCES}
         PUBLIC ${KAMBARA_QT_TARGET}Widgets ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
 endfunction()

@@ -33,17 +33,13 @@ endfunction()
 
 # kambara_library(core_camera SOURCES a.cpp ... PUBLIC core_geometry ... PRIVATE yaml-cpp ...)
 # One target per second-level folder; the lint test holds its includes to the same edges.
-# OWN_OPTIONS: it is compiled with options that others have not.
 function(kambara_library name)
-    cmake_parse_arguments(ARG "OWN_OPTIONS" "" "SOURCES;PUBLIC;PRIVATE;OPENCV" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE;OPENCV" ${ARGN})
     if(ARG_SOURCES)
         add_library(${name} STATIC ${ARG_SOURCES})
         target_link_libraries(${name} PUBLIC kambara_options Eigen3::Eigen ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
         if(ARG_OPENCV)
             kambara_use_opencv(${name} ${ARG_OPENCV})
-        endif()
-        if(NOT ARG_OWN_OPTIONS)
-            kambara_precompile(${name} kambara_precompiled)
         endif()
     else()
         add_library(${name} INTERFACE)
