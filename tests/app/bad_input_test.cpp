@@ -139,8 +139,11 @@ TEST_F(BadInputTest, MissingFiles) {
     expect_refused(track(good_template_, "rig.yaml", "v4l2:/dev/video0"),
                    "no driver for the source", "Give a video file");
     expect_refused({"track", "--left", "sim:default", "--template", "auto", "--pan-tilt",
+                    "pelco:/dev/ttyS0", "--csv", "out.csv"},
+                   "no driver for the pan-tilt head pelco:/dev/ttyS0", "visca:/dev/ttyS0");
+    expect_refused({"track", "--left", "sim:default", "--template", "auto", "--pan-tilt",
                     "visca:/dev/ttyS0", "--csv", "out.csv"},
-                   "no driver for the pan-tilt head visca:/dev/ttyS0", "sim:default");
+                   "too fast for a real head", "Use the command live");
     expect_refused({"match", "no.png", "left/000000.png"}, "There is no file no.png", "Check");
     expect_refused({"convert", "--from", "kitti", "no.txt", "--out", "x.yaml"},
                    "There is no file no.txt", "Check");
