@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -110,7 +110,7 @@ Parameters rational_start(Parameters p, const std::vector<Sample>& samples) {
         A.row(i) << powers, -factor * powers;
         b[i] = factor - 1.0;
     }
-    const Eigen::VectorXd k = A.colPivHouseholderQr().solve(b);
+    const Eigen::VectorXd k = A.jacobiSvd(Eigen::ComputeThinU | Eigen::ComputeThinV).solve(b);
     p[4] = k[0];
     p[5] = k[1];
     p[8] = k[2];
