@@ -11,14 +11,9 @@
 #include "core/calibration/calibration_report.h"
 #include "core/calibration/rig_views.h"
 #include "core/calibration/target.h"
+#include "core/camera/picture_size.h"
 
 namespace kambara {
-
-struct PictureSize {
-    int width_px = 0;
-    int height_px = 0;
-    bool operator==(const PictureSize&) const = default;
-};
 
 struct KnownBaseline {
     double baseline_mm = 0.0;

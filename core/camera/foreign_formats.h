@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/camera/picture_size.h"
 #include "core/camera/rig.h"
 
 namespace kambara {
@@ -14,11 +15,6 @@ namespace kambara {
 /// lengths are turned from and to metres where the other side uses them. A rig read needs the
 /// pictures' size; where a format does not hold it, it is given, and refused when it is not. Any
 /// bytes are safe to pass.
-
-struct PictureSize {
-    int width_px = 0;
-    int height_px = 0;
-};
 
 /// KITTI's calib.txt with two 3 x 4 projection matrices, left then right: two lines of twelve
 /// numbers, with or without names such as "P0:". Rectified, no distortion; metres.
