@@ -479,6 +479,422 @@
         <source>The scale rests on the target&apos;s sizes alone; a baseline measured by tape would check them.</source>
         <translation>Der Maßstab beruht allein auf den Maßen des Zielkörpers; eine mit dem Maßband gemessene Basislinie würde ihn prüfen.</translation>
     </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>pan_tilt</source>
+        <translation>Schwenk-Neige</translation>
+    </message>
+    <message>
+        <source>It was stopped before its end.</source>
+        <translation>Es wurde vor dem Ende abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Only %1 views show the target; at least %2 are needed.</source>
+        <translation>Nur %1 Ansichten zeigen den Zielkörper; mindestens %2 sind nötig.</translation>
+    </message>
+    <message>
+        <source>Only %1 views show the target to two cameras; at least %2 are needed.</source>
+        <translation>Nur %1 Ansichten zeigen den Zielkörper zwei Kameras; mindestens %2 sind nötig.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s views determine no lens: show the target larger, at several angles and distances.</source>
+        <translation>Kamera %1: Die Ansichten bestimmen kein Objektiv. Zeigen Sie den Zielkörper größer, unter mehreren Winkeln und Entfernungen.</translation>
+    </message>
+    <message>
+        <source>No view of the %1 camera fits the target: check which target it is, and its numbers.</source>
+        <translation>Kamera %1: Keine Ansicht passt zum Zielkörper. Prüfen Sie, welcher es ist, und seine Maße.</translation>
+    </message>
+    <message>
+        <source>No view shows the target to both the %1 and the %2 camera.</source>
+        <translation>Keine Ansicht zeigt den Zielkörper beiden Kameras %1 und %2.</translation>
+    </message>
+    <message>
+        <source>The pictures of the %1 and the %2 camera do not belong together: only %3 of %4 pairs agree on where the cameras stand. Check that both lists are in the same order, taken at the same instants, and neither mirrored.</source>
+        <translation>Die Bilder der Kameras %1 und %2 gehören nicht zusammen: Nur %3 von %4 Paaren stimmen darin überein, wo die Kameras stehen. Prüfen Sie, dass beide Listen gleich geordnet, zu gleichen Zeitpunkten aufgenommen und nicht gespiegelt sind.</translation>
+    </message>
+    <message>
+        <source>Only %1 views fit each other; at least %2 are needed.</source>
+        <translation>Nur %1 Ansichten passen zueinander; mindestens %2 sind nötig.</translation>
+    </message>
+    <message>
+        <source>The views do not determine the cameras: show the target at more angles and distances.</source>
+        <translation>Die Ansichten bestimmen die Kameras nicht: Zeigen Sie den Zielkörper unter mehr Winkeln und Entfernungen.</translation>
+    </message>
+    <message>
+        <source>Pictures show the target mirrored and are left out: turn off the camera&apos;s or the driver&apos;s mirroring.</source>
+        <translation>Bilder zeigen den Zielkörper gespiegelt und bleiben weg: Schalten Sie die Spiegelung von Kamera oder Treiber aus.</translation>
+    </message>
+    <message>
+        <source>%1 view repeats a picture of another view; each counts once. Move the target between pictures.</source>
+        <translation>%1 Ansicht wiederholt ein Bild einer anderen; jedes zählt einmal. Bewegen Sie den Zielkörper zwischen den Bildern.</translation>
+    </message>
+    <message>
+        <source>%1 views repeat a picture of another view; each counts once. Move the target between pictures.</source>
+        <translation>%1 Ansichten wiederholen ein Bild einer anderen; jedes zählt einmal. Bewegen Sie den Zielkörper zwischen den Bildern.</translation>
+    </message>
+    <message>
+        <source>%1 view does not fit the others and is left out; the list of views says why.</source>
+        <translation>%1 Ansicht passt nicht zu den anderen und bleibt weg; die Liste der Ansichten sagt, warum.</translation>
+    </message>
+    <message>
+        <source>%1 views do not fit the others and are left out; the list of views says why.</source>
+        <translation>%1 Ansichten passen nicht zu den anderen und bleiben weg; die Liste der Ansichten sagt, warum.</translation>
+    </message>
+    <message>
+        <source>too few corners are seen</source>
+        <translation>zu wenige Ecken sind zu sehen</translation>
+    </message>
+    <message>
+        <source>the target is mirrored in this picture</source>
+        <translation>der Zielkörper ist in diesem Bild gespiegelt</translation>
+    </message>
+    <message>
+        <source>the %1 picture is the same as view %2&apos;s</source>
+        <translation>das Bild %1 ist dasselbe wie in Ansicht %2</translation>
+    </message>
+    <message>
+        <source>its corners do not fit the target</source>
+        <translation>seine Ecken passen nicht zum Zielkörper</translation>
+    </message>
+    <message>
+        <source>fits far worse than the others (%1 px)</source>
+        <translation>passt weit schlechter als die anderen (%1 px)</translation>
+    </message>
+    <message>
+        <source>most of its corners contradict the other cameras&apos;</source>
+        <translation>die meisten seiner Ecken widersprechen denen der anderen Kameras</translation>
+    </message>
+    <message>
+        <source>the %1 and %2 pictures contradict each other: not the same instant, or another target</source>
+        <translation>die Bilder %1 und %2 widersprechen sich: nicht derselbe Zeitpunkt, oder ein anderer Zielkörper</translation>
+    </message>
+    <message>
+        <source>The %1 camera can&apos;t be: %2.</source>
+        <translation>Kamera %1: Das kann nicht sein (%2).</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s optical axis comes out at (%2, %3) px, far from the picture&apos;s middle.</source>
+        <translation>Kamera %1: Die optische Achse kommt bei (%2, %3) px heraus, weit von der Bildmitte.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s pixels come out %2 off square: check the sensor&apos;s numbers.</source>
+        <translation>Kamera %1: Die Pixel kommen um %2 nicht quadratisch heraus. Prüfen Sie die Angaben zum Sensor.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s focal length is open to %2: show the target at more angles and distances.</source>
+        <translation>Kamera %1: Die Brennweite ist nur auf %2 bestimmt. Zeigen Sie den Zielkörper unter mehr Winkeln und Entfernungen.</translation>
+    </message>
+    <message>
+        <source>The %1 camera saw the target in %2 of its picture only: show it near the sides and corners, too.</source>
+        <translation>Kamera %1 sah den Zielkörper nur in %2 ihres Bildes: Zeigen Sie ihn auch nahe den Rändern und Ecken.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s residuals hang together over the picture (%2 px): the lens model does not describe this lens.</source>
+        <translation>Kamera %1: Die Restfehler hängen über das Bild zusammen (%2 px). Das Objektivmodell beschreibt dieses Objektiv nicht.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s pictures are blurred: edges are %2 px wide. Focus, and hold the target still.</source>
+        <translation>Kamera %1: Die Bilder sind unscharf, Kanten sind %2 px breit. Stellen Sie scharf und halten Sie den Zielkörper still.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s focal length is %2 times the expected one&apos;s, where %3 should be: the pictures look taken in the other medium.</source>
+        <translation>Kamera %1: Die Brennweite ist das %2-Fache der erwarteten, wo %3 sein sollte. Die Bilder scheinen im anderen Medium aufgenommen.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s focal length is %2 times the expected one&apos;s, where %3 should be: another lens, zoom or target size.</source>
+        <translation>Kamera %1: Die Brennweite ist das %2-Fache der erwarteten, wo %3 sein sollte. Ein anderes Objektiv, ein anderer Zoom oder eine andere Größe des Zielkörpers.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s kappa1 is %2 / mm2 where %3 is expected: %4 at the side of the picture.</source>
+        <translation>Kamera %1: kappa1 ist %2 / mm2, wo %3 erwartet wird: %4 am Bildrand.</translation>
+    </message>
+    <message>
+        <source>The %1 camera&apos;s lens bends by %2 at the side of the picture where %3 is expected.</source>
+        <translation>Kamera %1: Das Objektiv verzeichnet am Bildrand um %2, wo %3 erwartet wird.</translation>
+    </message>
+    <message>
+        <source>The residuals are %1 px, more than %2: blurred pictures, another target, or wrong numbers of it.</source>
+        <translation>Die Restfehler sind %1 px, mehr als %2: unscharfe Bilder, ein anderer Zielkörper oder falsche Maße.</translation>
+    </message>
+    <message>
+        <source>The residuals are %1 px; below %2 would be good. Blur, motion or an uneven target do this.</source>
+        <translation>Die Restfehler sind %1 px; unter %2 wäre gut. Unschärfe, Bewegung oder ein unebener Zielkörper bewirken das.</translation>
+    </message>
+    <message>
+        <source>%1 of the corners fit nowhere and are left out.</source>
+        <translation>%1 der Ecken passen nirgends und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>The residuals hang together over the target (%1 px): its sizes and gaps are not as described. Measure it again.</source>
+        <translation>Die Restfehler hängen über den Zielkörper zusammen (%1 px): Seine Maße und Abstände sind nicht wie beschrieben. Messen Sie ihn nach.</translation>
+    </message>
+    <message>
+        <source>The target was seen from %1 to %2 mm only: the depth is narrow, and focal length and distance can&apos;t be told apart well. Show it nearer and farther, by a factor of two.</source>
+        <translation>Der Zielkörper war nur von %1 bis %2 mm zu sehen: Die Tiefe ist gering, Brennweite und Entfernung sind schlecht zu trennen. Zeigen Sie ihn näher und ferner, um den Faktor zwei.</translation>
+    </message>
+    <message>
+        <source>The right camera comes out to the left of the left one: the sides are exchanged, or all pictures mirrored.</source>
+        <translation>Die rechte Kamera kommt links von der linken heraus: Die Seiten sind vertauscht oder alle Bilder gespiegelt.</translation>
+    </message>
+    <message>
+        <source>The left and right focal lengths differ by %1: if both lenses are of one kind, one is wrong.</source>
+        <translation>Die Brennweiten links und rechts unterscheiden sich um %1: Sind beide Objektive gleich, ist eine falsch.</translation>
+    </message>
+    <message>
+        <source>The baseline comes out at %1 mm, %2 deviations from the measured %3 mm: check the target&apos;s sizes and the tape.</source>
+        <translation>Die Basis kommt mit %1 mm heraus, %2 Abweichungen von den gemessenen %3 mm: Prüfen Sie die Maße des Zielkörpers und das Maßband.</translation>
+    </message>
+    <message>
+        <source>Left and right see no place in common in the working volume: no range there.</source>
+        <translation>Links und rechts sehen im Arbeitsraum keine Stelle gemeinsam: dort keine Entfernung.</translation>
+    </message>
+    <message>
+        <source>The calibration leaves ranges open to %1 (one deviation; %2 at worst): too much to measure with.</source>
+        <translation>Die Kalibrierung lässt Entfernungen auf %1 offen (eine Standardabweichung; schlimmstens %2): zu viel, um damit zu messen.</translation>
+    </message>
+    <message>
+        <source>The calibration leaves ranges open to %1 (one deviation; %2 at worst): take more views, nearer and farther, to the sides.</source>
+        <translation>Die Kalibrierung lässt Entfernungen auf %1 offen (eine Standardabweichung; schlimmstens %2): Nehmen Sie mehr Ansichten auf, näher und ferner, an den Seiten.</translation>
+    </message>
+    <message>
+        <source>Views that took no part come out %1 too large: the calibration does not hold for other views.</source>
+        <translation>Ansichten, die nicht beteiligt waren, kommen um %1 zu groß heraus: Die Kalibrierung gilt nicht für andere Ansichten.</translation>
+    </message>
+    <message>
+        <source>Views that took no part come out %1 too small: the calibration does not hold for other views.</source>
+        <translation>Ansichten, die nicht beteiligt waren, kommen um %1 zu klein heraus: Die Kalibrierung gilt nicht für andere Ansichten.</translation>
+    </message>
+    <message>
+        <source>Views that took no part come out %1 too large: more views would make it surer.</source>
+        <translation>Ansichten, die nicht beteiligt waren, kommen um %1 zu groß heraus: Mehr Ansichten machten es sicherer.</translation>
+    </message>
+    <message>
+        <source>Views that took no part come out %1 too small: more views would make it surer.</source>
+        <translation>Ansichten, die nicht beteiligt waren, kommen um %1 zu klein heraus: Mehr Ansichten machten es sicherer.</translation>
+    </message>
+    <message>
+        <source>There is no picture.</source>
+        <translation>Es gibt kein Bild.</translation>
+    </message>
+    <message>
+        <source>The left camera does not take part.</source>
+        <translation>Die linke Kamera nimmt nicht teil.</translation>
+    </message>
+    <message>
+        <source>A camera&apos;s pictures have no size.</source>
+        <translation>Die Bilder einer Kamera haben keine Größe.</translation>
+    </message>
+    <message>
+        <source>The target can&apos;t be: %1.</source>
+        <translation>Diesen Zielkörper kann es nicht geben: %1.</translation>
+    </message>
+    <message>
+        <source>A list of points can&apos;t be found in pictures.</source>
+        <translation>Eine Liste von Punkten ist in Bildern nicht zu finden.</translation>
+    </message>
+    <message>
+        <source>Choose the cameras and the target first.</source>
+        <translation>Wählen Sie zuerst die Kameras und den Zielkörper.</translation>
+    </message>
+    <message>
+        <source>Begin a new session in another folder.</source>
+        <translation>Beginnen Sie eine neue Sitzung in einem anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Mend the file, or begin a new session in another folder.</source>
+        <translation>Berichtigen Sie die Datei, oder beginnen Sie eine neue Sitzung in einem anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Move the shot out of the session&apos;s folder and resume again.</source>
+        <translation>Nehmen Sie die Aufnahme aus dem Ordner der Sitzung und setzen Sie sie erneut fort.</translation>
+    </message>
+    <message>
+        <source>Move one of them out of its folder and resume again.</source>
+        <translation>Nehmen Sie eine davon aus ihrem Ordner und setzen Sie erneut fort.</translation>
+    </message>
+    <message>
+        <source>There is no shot %1.</source>
+        <translation>Es gibt keine Aufnahme %1.</translation>
+    </message>
+    <message>
+        <source>Choose one of the list.</source>
+        <translation>Wählen Sie eine aus der Liste.</translation>
+    </message>
+    <message>
+        <source>Only %1 of the target&apos;s boxes are large and clear enough.</source>
+        <translation>Nur %1 Kästchen des Zielkörpers sind groß und klar genug.</translation>
+    </message>
+    <message>
+        <source>Bring the target nearer, out of glare.</source>
+        <translation>Bringen Sie den Zielkörper näher und aus dem Glanzlicht.</translation>
+    </message>
+    <message>
+        <source>%1 Those seen are about %2 px wide, which is too small.</source>
+        <translation>%1 Die sichtbaren sind etwa %2 px breit; das ist zu klein.</translation>
+    </message>
+    <message>
+        <source>%1 One plane shows %2 boxes; others beside it are about %3 px wide, which is too small.</source>
+        <translation>%1 Eine Ebene zeigt %2 Kästchen; andere daneben sind etwa %3 px breit; das ist zu klein.</translation>
+    </message>
+    <message>
+        <source>%1 The picture is blurred: its sharpest edges are about %2 px wide.</source>
+        <translation>%1 Das Bild ist unscharf: Seine schärfsten Kanten sind etwa %2 px breit.</translation>
+    </message>
+    <message>
+        <source>Bring the target nearer.</source>
+        <translation>Bringen Sie den Zielkörper näher.</translation>
+    </message>
+    <message>
+        <source>Turn the target so that it faces the camera with both planes, nearer.</source>
+        <translation>Drehen Sie den Zielkörper so, dass er der Kamera beide Ebenen zeigt, und näher.</translation>
+    </message>
+    <message>
+        <source>Focus the lens, or hold the target still.</source>
+        <translation>Stellen Sie das Objektiv scharf, oder halten Sie den Zielkörper still.</translation>
+    </message>
+    <message>
+        <source>%1 of the target&apos;s %2 boxes are found, but its round marks are not where they belong.</source>
+        <translation>%1 der %2 Kästchen des Zielkörpers sind gefunden, aber seine runden Marken sind nicht, wo sie hingehören.</translation>
+    </message>
+    <message>
+        <source>Show a mark, unhidden and without glare; check that the target is the one that carries them.</source>
+        <translation>Zeigen Sie eine Marke, unverdeckt und ohne Glanzlicht; prüfen Sie, dass es der Zielkörper ist, der sie trägt.</translation>
+    </message>
+    <message>
+        <source>No boxes that stand like the target&apos;s %1 boxes are found among %2 quadrilaterals.</source>
+        <translation>Unter %2 Vierecken stehen keine Kästchen wie die %1 des Zielkörpers.</translation>
+    </message>
+    <message>
+        <source>Show more of the target, evenly lit, within 45 degrees of upright.</source>
+        <translation>Zeigen Sie mehr vom Zielkörper, gleichmäßig beleuchtet, bis 45 Grad gegen aufrecht.</translation>
+    </message>
+    <message>
+        <source>Which of the target&apos;s %1 boxes the %2 found are can&apos;t be told for certain.</source>
+        <translation>Welche der %1 Kästchen des Zielkörpers die %2 gefundenen sind, ist nicht sicher zu sagen.</translation>
+    </message>
+    <message>
+        <source>Show boxes of the top and the bottom row, and of the first and the last column.</source>
+        <translation>Zeigen Sie Kästchen der obersten und untersten Zeile und der ersten und letzten Spalte.</translation>
+    </message>
+    <message>
+        <source>Show boxes of the top and the bottom row, and of both planes.</source>
+        <translation>Zeigen Sie Kästchen der obersten und untersten Zeile und beider Ebenen.</translation>
+    </message>
+    <message>
+        <source>No chessboard of %1 x %2 inner corners is found.</source>
+        <translation>Kein Schachbrett mit %1 x %2 inneren Ecken ist gefunden.</translation>
+    </message>
+    <message>
+        <source>Show the whole board with a white margin, evenly lit, and check the numbers of corners.</source>
+        <translation>Zeigen Sie das ganze Brett mit weißem Rand, gleichmäßig beleuchtet, und prüfen Sie die Zahl der Ecken.</translation>
+    </message>
+    <message>
+        <source>The chessboard is too small in the picture: its corners are %1 px apart.</source>
+        <translation>Das Schachbrett ist im Bild zu klein: Seine Ecken liegen %1 px auseinander.</translation>
+    </message>
+    <message>
+        <source>Bring it nearer.</source>
+        <translation>Bringen Sie es näher.</translation>
+    </message>
+    <message>
+        <source>The chessboard&apos;s corners are too blurred to be measured.</source>
+        <translation>Die Ecken des Schachbretts sind zu unscharf, um sie zu messen.</translation>
+    </message>
+    <message>
+        <source>Hold it still and focus.</source>
+        <translation>Halten Sie es still und stellen Sie scharf.</translation>
+    </message>
+    <message>
+        <source>No marker of the ChArUco board is found.</source>
+        <translation>Keine Marke der ChArUco-Tafel ist gefunden.</translation>
+    </message>
+    <message>
+        <source>Show the board larger and evenly lit, and check its dictionary.</source>
+        <translation>Zeigen Sie die Tafel größer und gleichmäßig beleuchtet, und prüfen Sie ihr Verzeichnis.</translation>
+    </message>
+    <message>
+        <source>Only %1 corners of the ChArUco board are found.</source>
+        <translation>Nur %1 Ecken der ChArUco-Tafel sind gefunden.</translation>
+    </message>
+    <message>
+        <source>Show more of the board: six corners that are not all in a row.</source>
+        <translation>Zeigen Sie mehr von der Tafel: sechs Ecken, die nicht alle in einer Reihe liegen.</translation>
+    </message>
+    <message>
+        <source>There is no marker dictionary &quot;%1&quot;.</source>
+        <translation>Es gibt kein Markenverzeichnis „%1“.</translation>
+    </message>
+    <message>
+        <source>Name one of OpenCV&apos;s, for example DICT_6X6_250.</source>
+        <translation>Nennen Sie eines von OpenCV, zum Beispiel DICT_6X6_250.</translation>
+    </message>
+    <message>
+        <source>A target of %1 can&apos;t be found in pictures.</source>
+        <translation>Ein Zielkörper aus %1 ist in Bildern nicht zu finden.</translation>
+    </message>
+    <message>
+        <source>Use boxes, a chessboard or a ChArUco board.</source>
+        <translation>Verwenden Sie Kästchen, ein Schachbrett oder eine ChArUco-Tafel.</translation>
+    </message>
+    <message>
+        <source>The target &quot;%1&quot; can&apos;t be used: %2.</source>
+        <translation>Der Zielkörper „%1“ ist nicht brauchbar: %2.</translation>
+    </message>
+    <message>
+        <source>Give the numbers of the printed board.</source>
+        <translation>Geben Sie die Zahlen der gedruckten Tafel an.</translation>
+    </message>
+    <message>
+        <source>The target &quot;%1&quot; is not one this program knows.</source>
+        <translation>Den Zielkörper „%1“ kennt dieses Programm nicht.</translation>
+    </message>
+    <message>
+        <source>Give a target file (.yaml), chessboard:9x6:30 (inner corners across x down, square in mm), charuco:5x7:40:20:DICT_6X6_250 (squares across x down, square, marker, dictionary) or two-plane-24.</source>
+        <translation>Geben Sie eine Zielkörperdatei (.yaml) an, chessboard:9x6:30 (innere Ecken waagrecht x senkrecht, Feld in mm), charuco:5x7:40:20:DICT_6X6_250 (Felder waagrecht x senkrecht, Feld, Marke, Verzeichnis) oder two-plane-24.</translation>
+    </message>
+    <message>
+        <source>it needs 3 to 100 inner corners each way and a square of up to 10000 mm</source>
+        <translation>nötig sind 3 bis 100 innere Ecken in jeder Richtung und ein Feld bis 10000 mm</translation>
+    </message>
+    <message>
+        <source>it needs 3 to 100 squares each way and a square of up to 10000 mm</source>
+        <translation>nötig sind 3 bis 100 Felder in jeder Richtung und ein Feld bis 10000 mm</translation>
+    </message>
+    <message>
+        <source>its marker is not smaller than its square</source>
+        <translation>seine Marke ist nicht kleiner als sein Feld</translation>
+    </message>
+    <message>
+        <source>its dictionary has only %1 markers</source>
+        <translation>sein Verzeichnis hat nur %1 Marken</translation>
+    </message>
+    <message>
+        <source>there is no marker dictionary &quot;%1&quot;</source>
+        <translation>es gibt kein Markenverzeichnis „%1“</translation>
+    </message>
+    <message>
+        <source>it needs 1 to 16 planes and 1 to 100 rows</source>
+        <translation>nötig sind 1 bis 16 Ebenen und 1 bis 100 Zeilen</translation>
+    </message>
+    <message>
+        <source>its boxes touch each other: a pitch is larger than the box</source>
+        <translation>seine Kästchen berühren sich: Ein Rastermaß ist größer als das Kästchen</translation>
+    </message>
+    <message>
+        <source>The target file&apos;s %1.</source>
+        <translation>Die Zielkörperdatei: %1.</translation>
+    </message>
+    <message>
+        <source>Mend the file, or start from one of those in resources/targets.</source>
+        <translation>Berichtigen Sie die Datei, oder gehen Sie von einer aus resources/targets aus.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>

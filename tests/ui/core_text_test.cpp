@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/calibration/rig_calibrator.h"
+#include "core/calibration/target_detector.h"
 #include "ui/base/quantities.h"
 #include "ui/tracking/heat_colours.h"
 
@@ -43,6 +45,37 @@ TEST(CoreText, TranslatesPhrasesAndKeepsTheirNumbers) {
     QCoreApplication::removeTranslator(&brackets);
     EXPECT_EQ(translated(std::string("given up: not found in the right picture")),
               "given up: not found in the right picture");
+}
+
+// Sentences as core says them today: a changed one must not fall out of the translation.
+TEST(CoreText, KnowsWhatACalibrationSays) {
+    Brackets brackets;
+    QCoreApplication::installTranslator(&brackets);
+    RigCalibratorOptions options;
+    options.cameras = {PictureSize{640, 480}, PictureSize{640, 480}};
+    const CalibrationReport report = calibrate_rig({}, two_plane_24(), options);
+    ASSERT_FALSE(report.reasons.empty());
+    for (const std::string& reason : report.reasons) {
+        EXPECT_TRUE(translated(reason).startsWith(QLatin1Char('['))) << reason;
+    }
+    const Image dark(640, 480);
+    for (const Target& target : {Target(two_plane_24()), Target(ChessboardTarget{9, 6, 30.0}),
+                                 Target(CharucoTarget{5, 7, 40.0, 20.0, "DICT_6X6_250"})}) {
+        const auto found = detect_target(dark, target);
+        ASSERT_FALSE(found);
+        EXPECT_TRUE(translated(found.error().cause).startsWith(QLatin1Char('[')))
+            << found.error().cause;
+        EXPECT_TRUE(translated(found.error().remedy).startsWith(QLatin1Char('[')))
+            << found.error().remedy;
+    }
+    for (const char* name : {"chessboard:1x1:3", "charuco:5x7:40:60:DICT_6X6_250", "cube"}) {
+        const auto target = parse_target(name);
+        ASSERT_FALSE(target);
+        const QString said = translated(target.error());
+        EXPECT_TRUE(said.startsWith(QLatin1Char('[')) && said.endsWith(QLatin1Char(']')))
+            << said.toStdString();
+    }
+    QCoreApplication::removeTranslator(&brackets);
 }
 
 TEST(Quantities, CarryTheirUnits) {

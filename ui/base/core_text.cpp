@@ -3,8 +3,11 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <iterator>
 #include <utility>
 #include <vector>
+
+#include "ui/base/core_phrases.h"
 
 namespace kambara::ui {
 namespace {
@@ -162,10 +165,13 @@ struct Phrase {
 };
 
 std::vector<Phrase> compiled() {
+    std::vector<const char*> sources(std::begin(phrases), std::end(phrases));
+    const auto of_calibration = calibration_phrases();
+    sources.insert(sources.end(), of_calibration.begin(), of_calibration.end());
     std::vector<Phrase> all;
-    for (const char* source : phrases) {
+    for (const char* source : sources) {
         QString pattern = QRegularExpression::escape(QString::fromUtf8(source));
-        for (const char* place : {"\\%1", "\\%2", "\\%3", "%1", "%2", "%3"}) {
+        for (const char* place : {"\\%1", "\\%2", "\\%3", "\\%4", "%1", "%2", "%3", "%4"}) {
             // As little as will do: the first colon ends a target's number, or a state.
             pattern.replace(QString::fromLatin1(place), QStringLiteral("(.+?)"));
         }

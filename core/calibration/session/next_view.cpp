@@ -2,6 +2,7 @@
 #include "core/calibration/session/next_view.h"
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,6 +69,57 @@ bool is_new(const RigView& view, const std::vector<RigView>& kept, double least_
     });
 }
 
+Eigen::Vector3d middle_of(const std::vector<Eigen::Vector3d>& corners) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& corner : corners) {
+        sum += corner;
+    }
+    return sum / static_cast<double>(std::max<std::size_t>(1, corners.size()));
+}
+
+// A pose moved by a share of its distance along the first camera's axes, and turned about them with
+// the target's middle held.
+RigidTransform moved(const RigidTransform& pose, const Eigen::Vector3d& middle_mm, int axis,
+                     double share, double turn_rad) {
+    const Eigen::Vector3d at = pose * middle_mm;
+    const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis);
+    RigidTransform T;
+    T.R = Eigen::AngleAxisd(turn_rad, along).toRotationMatrix() * pose.R;
+    T.t_mm = at + share * at.z() * along - T.R * middle_mm;
+    return T;
+}
+
+// Walks from a pose to better ones beside it, in ever smaller steps.
+template <typename Value>
+RigidTransform refined(RigidTransform pose, const Eigen::Vector3d& middle_mm, const Value& value) {
+    constexpr double first_share = 0.08;
+    constexpr double first_turn_rad = 0.2;
+    constexpr int halvings = 3;
+    constexpr int most_rounds = 4;
+    double least = value(pose);
+    for (int halving = 0; halving < halvings; ++halving) {
+        const double size = std::pow(0.5, halving);
+        bool better = true;
+        for (int round = 0; better && round < most_rounds; ++round) {
+            better = false;
+            for (int move = 0; move < 12; ++move) {
+                const double step = move % 2 == 0 ? size : -size;
+                const bool turns = move >= 6;
+                const RigidTransform next =
+                    moved(pose, middle_mm, move / 2 % 3, turns ? 0.0 : step * first_share,
+                          turns ? step * first_turn_rad : 0.0);
+                const double now = value(next);
+                if (now < least) {
+                    least = now;
+                    pose = next;
+                    better = true;
+                }
+            }
+        }
+    }
+    return pose;
+}
+
 void outline(const RigGuess& guess, const Target& target, NextView& view) {
     const RigView seen = foreseen(guess, corners_in_target_mm(target), view.T_left_from_target);
     for (std::size_t k = 0; k < guess.places.size(); ++k) {
@@ -110,17 +162,31 @@ std::optional<NextView> next_view(const RigGuess& guess, const Target& target,
     const std::vector<std::vector<int>> ids(guess.cameras.size(), every);
     const Eigen::MatrixXd goal = volume_goal(guess, options.volume);
     const Eigen::MatrixXd so_far = information_of(guess, target, views, options.noise_px);
-    double least = std::numeric_limits<double>::infinity();
+    const double never = std::numeric_limits<double>::infinity();
+    const auto error_after = [&](const RigidTransform& pose) {
+        return left_open(
+            so_far + view_information(guess, corners, block_of(pose), ids, options.noise_px), goal);
+    };
+    double least = never;
     std::optional<NextView> best;
     for (const RigidTransform& pose : candidate_poses(guess, target)) {
-        const double after = left_open(
-            so_far + view_information(guess, corners, block_of(pose), ids, options.noise_px), goal);
+        const double after = error_after(pose);
         if (after < least &&
             is_new(foreseen(guess, corners, pose), views, options.least_change_px)) {
             least = after;
             best.emplace();
             best->T_left_from_target = pose;
         }
+    }
+    if (best) {
+        best->T_left_from_target =
+            refined(best->T_left_from_target, middle_of(corners), [&](const RigidTransform& pose) {
+                return can_be_found(guess, target, pose) && is_new(foreseen(guess, corners, pose),
+                                                                   views, options.least_change_px)
+                           ? error_after(pose)
+                           : never;
+            });
+        least = error_after(best->T_left_from_target);
     }
     if (best) {
         best->range_error_before = std::sqrt(left_open(so_far, goal));
