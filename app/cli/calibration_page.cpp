@@ -79,6 +79,7 @@ void add_camera(HtmlReport& page, const std::string& name, std::size_t place, co
     page.picture_arrows("Residuals, 100 times as long as they are", lens.width_px, lens.height_px,
                         100.0, arrows);
     std::vector<HtmlReport::Bar> bars;
+    bars.reserve(views.size());
     for (const auto& [view, sum] : views) {
         bars.push_back({"view " + std::to_string(view + 1), std::sqrt(sum.first / sum.second)});
     }
@@ -152,7 +153,7 @@ void add_range(HtmlReport& page, const Json& range) {
         }
         rows.push_back(texts);
     }
-    page.table(header, rows);
+    page.shaded_table(header, rows);
 }
 
 std::string fate_of(const Shot& shot, const SessionPart& session, const CalibrationReport& report) {
@@ -205,11 +206,12 @@ void add_session(HtmlReport& page, const SessionPart& session, const Calibration
             std::vector<std::string> row{"row " + std::to_string(y + 1)};
             for (int x = 0; x < PictureCoverage::across; ++x) {
                 row.push_back(std::to_string(
-                    picture.views[static_cast<std::size_t>(y * PictureCoverage::across + x)]));
+                    picture.views[static_cast<std::size_t>(y) * PictureCoverage::across +
+                                  static_cast<std::size_t>(x)]));
             }
             fields.push_back(std::move(row));
         }
-        page.table(header, fields);
+        page.shaded_table(header, fields);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iterator>
 
 namespace kambara {
@@ -17,6 +18,8 @@ constexpr int value_width = 110;
 constexpr double square_side = 260.0;
 constexpr double square_left = 56.0;
 constexpr double square_top = 30.0;
+
+constexpr double darkest = 0.55;  // opacity; the text stays readable on it
 
 constexpr double lines_width = 460.0;
 constexpr double lines_height = 240.0;
@@ -35,6 +38,12 @@ std::string number(double value, int decimals) {
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", decimals, value);
     return text;
+}
+
+// 0 where the text begins with none, or with a negative one.
+double leading_number(const std::string& text) {
+    const double value = std::strtod(text.c_str(), nullptr);
+    return std::isfinite(value) && value > 0.0 ? value : 0.0;
 }
 
 }  // namespace
@@ -74,17 +83,38 @@ void HtmlReport::paragraph(std::string_view text) {
 
 void HtmlReport::table(const std::vector<std::string>& header,
                        const std::vector<std::vector<std::string>>& rows) {
-    const auto add = [this](const std::vector<std::string>& cells, const char* tag) {
+    add_table(header, rows, 0.0);
+}
+
+void HtmlReport::shaded_table(const std::vector<std::string>& header,
+                              const std::vector<std::vector<std::string>>& rows) {
+    double most = 0.0;
+    for (const auto& row : rows) {
+        for (std::size_t i = 1; i < row.size(); ++i) {
+            most = std::max(most, leading_number(row[i]));
+        }
+    }
+    add_table(header, rows, most);
+}
+
+// Cells are shaded where `most`, the number of the darkest, is above 0.
+void HtmlReport::add_table(const std::vector<std::string>& header,
+                           const std::vector<std::vector<std::string>>& rows, double most) {
+    body_ += "<table>\n<tr>";
+    for (const std::string& cell : header) {
+        body_ += "<th>" + html_escaped(cell) + "</th>";
+    }
+    body_ += "</tr>\n";
+    for (const auto& row : rows) {
         body_ += "<tr>";
-        for (const std::string& cell : cells) {
-            body_ += std::string("<") + tag + ">" + html_escaped(cell) + "</" + tag + ">";
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            body_ += i > 0 && most > 0.0
+                         ? "<td style=\"background:rgba(44,111,165," +
+                               number(darkest * leading_number(row[i]) / most, 2) + ")\">"
+                         : "<td>";
+            body_ += html_escaped(row[i]) + "</td>";
         }
         body_ += "</tr>\n";
-    };
-    body_ += "<table>\n";
-    add(header, "th");
-    for (const auto& row : rows) {
-        add(row, "td");
     }
     body_ += "</table>\n";
 }

@@ -20,6 +20,11 @@ class HtmlReport {
     void table(const std::vector<std::string>& header,
                const std::vector<std::vector<std::string>>& rows);
 
+    /// A table as a map: each cell but the first of its row is the darker, the larger the number
+    /// that its text begins with is among them all; the largest is the darkest.
+    void shaded_table(const std::vector<std::string>& header,
+                      const std::vector<std::vector<std::string>>& rows);
+
     struct Bar {
         std::string label;
         double value = 0.0;
@@ -62,6 +67,9 @@ class HtmlReport {
     std::string text() const;
 
   private:
+    void add_table(const std::vector<std::string>& header,
+                   const std::vector<std::vector<std::string>>& rows, double most);
+
     std::string title_;
     std::string body_;
 };

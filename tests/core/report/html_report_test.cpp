@@ -48,6 +48,16 @@ TEST(HtmlReport, PointsLieWhereTheirCoordinatesSay) {
     EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 
+TEST(HtmlReport, AShadedTableIsDarkestWhereTheNumberIsLargest) {
+    HtmlReport report("t");
+    report.shaded_table({"", "a", "b"}, {{"9", "0.5 (7)", "2.0"}, {"8", "-", "nan"}});
+    const std::string text = report.text();
+    EXPECT_NE(text.find("<td>9</td>"), std::string::npos);
+    EXPECT_NE(text.find(",0.14)\">0.5 (7)</td>"), std::string::npos);
+    EXPECT_NE(text.find(",0.55)\">2.0</td>"), std::string::npos);
+    EXPECT_NE(text.find(",0.00)\">-</td>"), std::string::npos);
+}
+
 // A picture of 320 px is drawn 640 wide; the arrow from its pixel (9.5, 4.5), ten times as long.
 TEST(HtmlReport, ArrowsBeginWhereTheyBelongAndAreStretched) {
     HtmlReport report("r");
