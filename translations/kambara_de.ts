@@ -895,6 +895,26 @@
         <source>Mend the file, or start from one of those in resources/targets.</source>
         <translation>Berichtigen Sie die Datei, oder gehen Sie von einer aus resources/targets aus.</translation>
     </message>
+    <message>
+        <source>A mark of the target does not lie on its sheet.</source>
+        <translation>Eine Marke des Zielkörpers liegt nicht auf ihrem Blatt.</translation>
+    </message>
+    <message>
+        <source>Move the mark in the target file, or give the target a wider margin_mm.</source>
+        <translation>Verschieben Sie die Marke in der Zielkörperdatei, oder geben Sie dem Zielkörper ein größeres margin_mm.</translation>
+    </message>
+    <message>
+        <source>The target&apos;s points can&apos;t be printed: some lie on no plane with three others or more.</source>
+        <translation>Die Punkte des Zielkörpers sind nicht zu drucken: Einige liegen auf keiner Ebene mit drei anderen oder mehr.</translation>
+    </message>
+    <message>
+        <source>Print targets whose points stand on up to 16 planes.</source>
+        <translation>Drucken Sie Zielkörper, deren Punkte auf bis zu 16 Ebenen stehen.</translation>
+    </message>
+    <message>
+        <source>A sheet of %1 with its ruler does not fit on %2 (%3) at its true size.</source>
+        <translation>Ein Blatt von %1 mit seinem Maßstab passt in wahrer Größe nicht auf %2 (%3).</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -1796,6 +1816,26 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>%1 corners</source>
         <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken …</translation>
+    </message>
+    <message>
+        <source>Saves the target as a PDF file at its true size, a page a plane</source>
+        <translation>Speichert den Zielkörper als PDF-Datei in wahrer Größe, eine Seite je Ebene</translation>
+    </message>
+    <message>
+        <source>Saved as %1: paper %2, pages: %3. Print it at 100&#x202f;% and measure the ruler on it.</source>
+        <translation>Gespeichert als %1: Papier %2, Seiten: %3. Drucken Sie es mit 100 % und messen Sie den Maßstab darauf nach.</translation>
+    </message>
+    <message>
+        <source>Save the target to print</source>
+        <translation>Zielkörper zum Drucken speichern</translation>
+    </message>
+    <message>
+        <source>PDF files (*.pdf)</source>
+        <translation>PDF-Dateien (*.pdf)</translation>
     </message>
 </context>
 <context>

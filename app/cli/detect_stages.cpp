@@ -162,7 +162,7 @@ Canvas corners(const Image& grey, const BoxStages& stages) {
 
 Result<Done> write_box_stages(const fs::path& folder, const Image& grey, const BoxStages& stages,
                               int boxes) {
-    if (const auto done = made(folder); !done) {
+    if (auto done = made(folder); !done) {
         return done;
     }
     const std::pair<const char*, Canvas> all[] = {
@@ -174,7 +174,7 @@ Result<Done> write_box_stages(const fs::path& folder, const Image& grey, const B
         {"6-corners.png", corners(grey, stages)},
     };
     for (const auto& [name, canvas] : all) {
-        if (const auto done = canvas.write(folder / name); !done) {
+        if (auto done = canvas.write(folder / name); !done) {
             return done;
         }
     }
@@ -183,7 +183,7 @@ Result<Done> write_box_stages(const fs::path& folder, const Image& grey, const B
 
 Result<Done> write_order(const fs::path& folder, const Image& grey,
                          const DetectedCorners& corners) {
-    if (const auto done = made(folder); !done) {
+    if (auto done = made(folder); !done) {
         return done;
     }
     Canvas canvas(grey);

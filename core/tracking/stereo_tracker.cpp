@@ -46,7 +46,7 @@ StereoTracker::StereoTracker(Rig rig, TrackerOptions options,
 }
 
 Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectangle& rectangle) {
-    if (const auto fit = check_template(*frame.left.picture, rectangle); !fit) {
+    if (auto fit = check_template(*frame.left.picture, rectangle); !fit) {
         return fit;
     }
     const Eigen::Vector2d centre(rectangle.centre_x_px(), rectangle.centre_y_px());

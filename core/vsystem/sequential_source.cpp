@@ -85,7 +85,7 @@ class SequentialSource final : public FrameSource {
             if (grabber == nullptr) {
                 continue;
             }
-            if (const auto done = grabber->seek(frame); !done) {
+            if (auto done = grabber->seek(frame); !done) {
                 return done;
             }
         }

@@ -83,7 +83,7 @@ Result<Done> TargetSet::set_template(std::optional<int> id, const StereoFrame& p
     FollowedTarget* known = own(wanted);
     FollowedTarget fresh{wanted, StereoTracker(rig_, options_, transforms_), std::nullopt};
     FollowedTarget& target = known != nullptr ? *known : fresh;
-    if (const auto done = target.tracker.set_template(pair, rectangle); !done) {
+    if (auto done = target.tracker.set_template(pair, rectangle); !done) {
         return done;
     }
     target.template_frame = pair.left.index;
@@ -111,7 +111,7 @@ Result<Done> TargetSet::start(std::optional<int> id, const std::deque<StereoFram
         if (target->tracker.started()) {
             continue;
         }
-        if (const auto started = target->tracker.start(); !started) {
+        if (auto started = target->tracker.start(); !started) {
             return started;
         }
         starting.push_back(target);

@@ -75,7 +75,7 @@ Result<Done> check_float_tiff_name(const std::filesystem::path& path) {
 
 Result<Done> write_float_tiff(const std::filesystem::path& path, const std::vector<float>& values,
                               int width, int height) {
-    if (const auto named = check_float_tiff_name(path); !named) {
+    if (auto named = check_float_tiff_name(path); !named) {
         return named;
     }
     return write_encoded(path, cv::Mat(height, width, CV_32FC1, const_cast<float*>(values.data())));

@@ -9,6 +9,7 @@
 
 #include "core/camera/rig_file.h"
 #include "tests/ui/calibration_page.h"
+#include "ui/calibration/setup_page.h"
 
 namespace kambara {
 namespace {
@@ -141,6 +142,33 @@ TEST(CalibrationInTheWindow, ThreeCamerasTakePartAndSolvingCanBeCancelled) {
         [&] { return calibration.shows("calibrationVerdict") || !calibration.shows("solvingBar"); },
         60));
     EXPECT_GE(calibration.shots(), 5);
+}
+
+TEST(CalibrationInTheWindow, SavesTheTargetToPrint) {
+    QTemporaryDir folder;
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    CalibrationPage calibration(page);
+    calibration.choose_target("two-plane-24");
+    EXPECT_TRUE(calibration.can_press("printTarget"));
+    auto* setup = calibration.window().findChild<ui::SetupPage*>();
+    ASSERT_NE(setup, nullptr);
+    const QString file = folder.filePath("target.pdf");
+    setup->save_pdf(file);
+    QFile saved(file);
+    ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(saved.read(5).startsWith("%PDF-"));
+    EXPECT_TRUE(calibration.text("targetNote").contains("pages: 2"))
+        << calibration.text("targetNote").toStdString();
+    calibration.take("printed");
+    setup->save_pdf(folder.filePath("no/such/folder/target.pdf"));
+    EXPECT_TRUE(calibration.shows("setupFailure"));
+    calibration.choose_target("chessboard:60x40:30");
+    setup->save_pdf(file);
+    EXPECT_TRUE(calibration.text("setupFailure").contains("does not fit"))
+        << calibration.text("setupFailure").toStdString();
+    calibration.choose_target("cube");
+    EXPECT_FALSE(calibration.can_press("printTarget"));
 }
 
 TEST(CalibrationInTheWindow, RefusesAFolderThatCantBeWrittenInAPlainSentence) {

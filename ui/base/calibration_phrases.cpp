@@ -196,6 +196,15 @@ constexpr std::array phrases{
     QT_TRANSLATE_NOOP("core", "its boxes touch each other: a pitch is larger than the box"),
     QT_TRANSLATE_NOOP("core", "The target file's %1."),
     QT_TRANSLATE_NOOP("core", "Mend the file, or start from one of those in resources/targets."),
+    QT_TRANSLATE_NOOP("core", "A mark of the target does not lie on its sheet."),
+    QT_TRANSLATE_NOOP("core",
+                      "Move the mark in the target file, or give the target a wider margin_mm."),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "The target's points can't be printed: some lie on no plane with three others or more."),
+    QT_TRANSLATE_NOOP("core", "Print targets whose points stand on up to 16 planes."),
+    QT_TRANSLATE_NOOP("core",
+                      "A sheet of %1 with its ruler does not fit on %2 (%3) at its true size."),
 };
 
 }  // namespace

@@ -15,6 +15,8 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include "core/base/text_file.h"
+#include "core/calibration/target_pdf.h"
 #include "ui/base/core_text.h"
 #include "ui/base/theme.h"
 #include "ui/calibration/guide_view.h"
@@ -58,7 +60,14 @@ SetupPage::SetupPage(QWidget* parent) : QWidget(parent) {
     target_->setToolTip(tr("A target's short form, or its file (.yaml)"));
     target_note_ = explained({}, this);
     target_note_->setObjectName(QStringLiteral("targetNote"));
-    form->addRow(tr("&Target"), target_);
+    print_ = new QPushButton(tr("&Print\u2026"), this);
+    print_->setObjectName(QStringLiteral("printTarget"));
+    auto* target_row = new QHBoxLayout;
+    target_row->addWidget(target_, 1);
+    target_row->addWidget(print_);
+    auto* target_label = new QLabel(tr("&Target"), this);
+    target_label->setBuddy(target_);
+    form->addRow(target_label, target_row);
     form->addRow(QString(), target_note_);
     auto* cameras = new QHBoxLayout;
     for (std::size_t c = 0; c < most_cameras; ++c) {
@@ -120,6 +129,7 @@ SetupPage::SetupPage(QWidget* parent) : QWidget(parent) {
     connect(target_, &QComboBox::currentTextChanged, this, &SetupPage::check);
     connect(folder_, &QLineEdit::textChanged, this, &SetupPage::check);
     connect(by_tape_, &QCheckBox::toggled, this, &SetupPage::check);
+    connect(print_, &QPushButton::clicked, this, &SetupPage::choose_pdf);
     connect(browse, &QPushButton::clicked, this, &SetupPage::choose_folder);
     connect(resume, &QPushButton::clicked, this, &SetupPage::choose_to_resume);
     connect(begin_, &QPushButton::clicked, this, [this] {
@@ -234,6 +244,10 @@ void SetupPage::check() {
             reason = tr("Name a folder for the session.");
         }
     }
+    print_->setEnabled(static_cast<bool>(target));
+    print_->setToolTip(target
+                           ? tr("Saves the target as a PDF file at its true size, a page a plane")
+                           : translated(target.error()));
     begin_->setEnabled(reason.isEmpty());
     begin_->setToolTip(reason.isEmpty() ? tr("Begins a session in a new folder") : reason);
 }
@@ -241,6 +255,36 @@ void SetupPage::check() {
 void SetupPage::show_failure(const QString& text) {
     failure_->setText(text);
     failure_->setVisible(!text.isEmpty());
+}
+
+void SetupPage::save_pdf(const QString& file) {
+    failure_->hide();
+    const auto target = parse_target(target_->currentText().trimmed().toStdString());
+    const auto pdf = target ? target_pdf(*target) : Result<TargetPdf>(target.error());
+    if (!pdf) {
+        show_failure(translated(pdf.error()));
+        return;
+    }
+    const auto written = write_text_file_atomically(file.toStdString(), pdf->bytes);
+    if (!written) {
+        show_failure(translated(written.error()));
+        return;
+    }
+    target_note_->setText(
+        tr("Saved as %1: paper %2, pages: %3. Print it at 100\u202F% and measure the "
+           "ruler on it.")
+            .arg(file, QString::fromStdString(pdf->paper.name))
+            .arg(pdf->places.size()));
+}
+
+void SetupPage::choose_pdf() {
+    const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    const QString chosen = QFileDialog::getSaveFileName(
+        this, tr("Save the target to print"), documents.filePath(QStringLiteral("target.pdf")),
+        tr("PDF files (*.pdf)"));
+    if (!chosen.isEmpty()) {
+        save_pdf(chosen);
+    }
 }
 
 void SetupPage::choose_folder() {

@@ -29,6 +29,8 @@ class SetupPage : public QWidget {
     void show_failure(const QString& text);
     /// Another folder than any session's so far, which is offered.
     void offer_new_folder();
+    /// The chosen target as a document to print; says what became of it on the page.
+    void save_pdf(const QString& file);
 
   signals:
     void begin_asked(const kambara::SessionSetup& setup, const QString& folder);
@@ -38,11 +40,13 @@ class SetupPage : public QWidget {
     void check();
     std::optional<SessionSetup> setup() const;
     void choose_folder();
+    void choose_pdf();
     void choose_to_resume();
 
     std::array<std::optional<PictureSize>, most_cameras> sizes_;
     std::optional<Sensor> sensor_;
     QComboBox* target_;
+    QPushButton* print_;
     QLabel* target_note_;
     std::array<QCheckBox*, most_cameras> cameras_{};
     QComboBox* model_;
