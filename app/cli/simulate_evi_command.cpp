@@ -42,7 +42,7 @@ Outcome run_simulate_evi(const SimulateEviOptions& options) {
     const auto started = std::chrono::steady_clock::now();
     {
         std::jthread serving(
-            [&](std::stop_token stop) { (*server)->run(stop, report, options.packets); });
+            [&](const std::stop_token& stop) { (*server)->run(stop, report, options.packets); });
         while (!interrupted()) {
             std::this_thread::sleep_for(look_interval);
             const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - started;

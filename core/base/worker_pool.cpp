@@ -36,11 +36,11 @@ void WorkerPool::for_each(std::size_t count, const std::function<void(std::size_
 
 void WorkerPool::start_helpers(std::size_t wanted) {
     while (helpers_.size() < wanted) {
-        helpers_.emplace_back([this](std::stop_token stop) { help(stop); });
+        helpers_.emplace_back([this](const std::stop_token& stop) { help(stop); });
     }
 }
 
-void WorkerPool::help(std::stop_token stop) {
+void WorkerPool::help(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (arrived_.wait(lock, stop, [this] { return next_ < count_; })) {
         take_pieces(lock);

@@ -25,7 +25,7 @@ class WorkerPool {
 
   private:
     void start_helpers(std::size_t wanted);
-    void help(std::stop_token stop);
+    void help(const std::stop_token& stop);
     void take_pieces(std::unique_lock<std::mutex>& lock);
 
     const std::size_t most_helpers_;

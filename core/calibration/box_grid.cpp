@@ -190,6 +190,7 @@ CornerMatch match_corners(const Quadrilateral& box, const Quadrilateral& foretol
 
 std::vector<BoxGrid> grids_of(std::vector<Quadrilateral>& boxes, const BoxGridOptions& options) {
     std::vector<Eigen::Vector2d> centres;
+    centres.reserve(boxes.size());
     for (const Quadrilateral& b : boxes) {
         centres.push_back(0.25 * (b[0] + b[1] + b[2] + b[3]));
     }

@@ -15,6 +15,9 @@ int BoxLayout::box_number(const BoxPlace& place) const {
 
 BoxPlace BoxLayout::place_of(int box) const {
     const int a_row = std::accumulate(columns.begin(), columns.end(), 0);
+    if (a_row <= 0) {
+        return {};
+    }
     BoxPlace place{0, box % a_row, box / a_row};
     while (place.column >= columns[static_cast<std::size_t>(place.plane)]) {
         place.column -= columns[static_cast<std::size_t>(place.plane)];

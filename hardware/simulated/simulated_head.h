@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "core/base/clock.h"
 #include "core/devices/pan_tilt_camera.h"
@@ -20,7 +21,8 @@ class SimulatedHead final : public PanTiltCamera {
         double tilt_steps_per_deg = 12.0;
     };
 
-    explicit SimulatedHead(std::shared_ptr<const Clock> clock) : SimulatedHead(clock, Options{}) {}
+    explicit SimulatedHead(std::shared_ptr<const Clock> clock)
+        : SimulatedHead(std::move(clock), Options{}) {}
     SimulatedHead(std::shared_ptr<const Clock> clock, const Options& options);
 
     std::string name() const override { return "simulated EVI-D30"; }

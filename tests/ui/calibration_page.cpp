@@ -2,6 +2,7 @@
 #include "tests/ui/calibration_page.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDir>
 #include <QLineEdit>
 #include <QListWidget>
@@ -56,6 +57,7 @@ void CalibrationPage::hold_key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
 void CalibrationPage::take(const char* name) {
     const QString folder = qEnvironmentVariable("KAMBARA_SCREENSHOTS");
     if (!folder.isEmpty()) {
+        QCoreApplication::processEvents();  // what has just changed is laid out anew
         window_->grab().save(QDir(folder).filePath(QLatin1String(name) + QStringLiteral(".png")));
     }
 }

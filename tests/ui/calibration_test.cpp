@@ -70,6 +70,7 @@ TEST(CalibrationInTheWindow, FollowingTheScreenMakesAGoodRigWithinTwoMinutes) {
     }
     const QString copies = qEnvironmentVariable("KAMBARA_SCREENSHOTS");
     if (!copies.isEmpty()) {
+        QFile::remove(copies + "/report.html");
         QFile::copy(report.fileName(), copies + "/report.html");
     }
 }
