@@ -11,6 +11,7 @@
 #include "app/cli/compare_run.h"
 #include "app/cli/compare_scene.h"
 #include "app/cli/compare_score.h"
+#include "app/cli/compare_verdict.h"
 #include "app/cli/terminal.h"
 #include "core/base/text_file.h"
 #include "core/base/worker_pool.h"
@@ -177,6 +178,10 @@ Outcome run_compare(const CompareOptions& options) {
             return {written.error()};
         }
         outcome.summary += "\nReport: " + options.report->string() + "\n";
+    }
+    if (standings(results).front().robustness <= 0.0) {
+        outcome.failure = Error{"No method follows the target.",
+                                "Choose a larger template with marks or corners on it."};
     }
     return outcome;
 }

@@ -112,6 +112,9 @@ std::string over_all(const std::vector<SceneResult>& results, std::size_t shippe
     text += ", and takes " + milliseconds(place->ms) + ": " + rank_word(rank) + " of " +
             std::to_string(order.size()) + " methods.";
     const Standing& first = order.front();
+    if (first.robustness <= 0.0) {
+        return "No method follows the target: nothing can be said of which is best.";
+    }
     if (rank == 0) {
         return text + " That speaks for it.";
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/head_options.h"
 
+#include "app/cli/argument_checks.h"
+
 #include <CLI/CLI.hpp>
 
 namespace kambara::cli {
@@ -34,7 +36,7 @@ CLI::App* add_simulate_evi(CLI::App& app, SimulateEviOptions& o) {
     c->add_flag("--pal", s.camera.pal, "50 fields a second instead of 60");
     c->add_flag("--packets", o.packets, "Tell every packet");
     c->add_option("--seconds", o.seconds, "How long; until Ctrl-C where not given")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     visca::LineFaults& f = s.faults;
     const auto share = [&](const char* name, double& where, const char* what) {
         c->add_option(name, where, what)->check(CLI::Range(0.0, 1.0));
@@ -47,10 +49,10 @@ CLI::App* add_simulate_evi(CLI::App& app, SimulateEviOptions& o) {
         ->capture_default_str()
         ->check(CLI::Range(0.0, 60.0));
     c->add_option("--unplug-every", f.unplug_every_s, "The plug is pulled every so many seconds")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     c->add_option("--unplug-for", f.unplug_for_s, "And put in again after so many")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     c->add_flag("--power", s.power_goes_too, "Its power is gone as long");
     c->add_option("--seed", f.seed, "Of the faults")->capture_default_str();
     return c;

@@ -7,7 +7,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "app/cli/argument_checks.h"
 #include "app/cli/bench_command.h"
 #include "app/cli/calibrate_command.h"
 #include "app/cli/calibrate_points_command.h"
@@ -32,6 +34,10 @@ using namespace kambara::cli;
 
 constexpr int exit_failed = 1;
 constexpr int exit_usage = 2;
+
+const std::vector<std::string> measure_words{"sad", "ncc", "zncc", "hamming"};
+const std::vector<std::string> transform_words{"none",   "gauss", "rank3",   "rank5",
+                                               "census", "sdog",  "gradient"};
 
 struct Chosen {
     std::function<Outcome()> run;
@@ -59,16 +65,19 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     c->add_option("--steer", o.steer, "The target that the head is steered to, counted from 1")
         ->capture_default_str();
     c->add_option("--start", o.sources.start, "Begin at this frame; numbering stays")
-        ->check(CLI::NonNegativeNumber);
+        ->check(not_negative());
     c->add_option("--rate", o.sources.pictures_rate_hz,
                   "Single pictures a second, which carry no time themselves")
         ->capture_default_str()
         ->check(CLI::Range(0.1, 1000.0));
-    c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")->capture_default_str();
+    c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")
+        ->capture_default_str()
+        ->check(CLI::IsMember(measure_words));
     c->add_option("--transform", o.transform,
                   "none, gauss, rank3, rank5, census, sdog or gradient; with zncc, none turns to "
                   "gauss while noise is much")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::IsMember(transform_words));
     c->add_option("--temporal", o.temporal,
                   "Filter the pictures over time first: median:N or mean:N, N up to 15; for still "
                   "cameras");
@@ -76,7 +85,7 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
                   "Head to steer: sim:PROFILE, visca:/dev/ttyS0?address=1, visca-udp:HOST:PORT, "
                   "visca-udp-raw:HOST:PORT or visca-tcp:HOST:PORT");
     c->add_option("--seconds", o.seconds, "Stop after so much of the source's time")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     c->add_option("--record", o.record, "Folder to record the session in");
     c->add_option("--csv", o.csv, "Table to write")->required();
     add_json(*c, chosen);
@@ -92,11 +101,14 @@ void add_calibrate(CLI::App& app, Chosen& chosen, CalibrateOptions& o) {
                   "A target file, chessboard:9x6:30 (inner corners, square in mm), "
                   "charuco:5x7:40:20:DICT_6X6_250 or two-plane-24")
         ->required();
-    c->add_option("--model", o.model, "brown or tsai")->capture_default_str();
+    c->add_option("--model", o.model, "brown or tsai")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"brown", "tsai"}));
     c->add_option("--sensor", o.sensor, "dx,dy,Ncx,Nfx (for tsai)");
     c->add_option("--baseline", o.baseline, "Baseline measured by tape: MM,SIGMA");
     c->add_option("--medium", o.medium, "Where the pictures were taken: air or water")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::IsMember({"air", "water"}));
     c->add_option("--expected", o.expected,
                   "Rig file to hold the result against: nominal, or an earlier calibration");
     c->add_flag("--estimate-target", o.estimate_target,
@@ -119,7 +131,8 @@ void add_calibrate_points(CLI::App& app, Chosen& chosen, CalibratePointsOptions&
         ->required();
     c->add_option("--center", o.center, "Cx,Cy: the picture's centre, px")->required();
     c->add_option("--method", o.method, "basic (f, T_z, kappa1 refined) or full (everything)")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::IsMember({"basic", "full"}));
     c->add_flag("--coplanar", o.coplanar, "The points are on one plane; s_x is taken as 1");
     c->add_option("--size", o.size, "W,H of the pictures, for the rig file");
     c->add_option("--out", o.out, "Rig file to write");
@@ -144,8 +157,11 @@ void add_convert(CLI::App& app, Chosen& chosen, ConvertOptions& o) {
     c->add_option("files", o.files,
                   "With --from: the other program's files; with --to: a rig file, then a folder")
         ->required();
-    CLI::Option* from = c->add_option("--from", o.from, "opencv, ros, kalibr or kitti");
-    CLI::Option* to = c->add_option("--to", o.to, "opencv, ros or kalibr")->excludes(from);
+    CLI::Option* from = c->add_option("--from", o.from, "opencv, ros, kalibr or kitti")
+                            ->check(CLI::IsMember({"opencv", "ros", "kalibr", "kitti"}));
+    CLI::Option* to = c->add_option("--to", o.to, "opencv, ros or kalibr")
+                          ->excludes(from)
+                          ->check(CLI::IsMember({"opencv", "ros", "kalibr"}));
     from->needs(c->add_option("--out", o.out, "Rig file to write (with --from)")->excludes(to));
     c->add_option("--size", o.size, "Picture size W,H where the files do not tell it");
     add_json(*c, chosen);
@@ -161,7 +177,8 @@ void add_detect(CLI::App& app, Chosen& chosen, DetectOptions& o) {
     CLI::App* c = app.add_subcommand("detect", "Find a calibration target in a picture");
     c->add_option("image", o.image, "The picture")->required();
     c->add_option("--target", o.target,
-                  "two-plane-24, chessboard:9x6:30 (inner corners, square in mm), or a target file")
+                  "A target file, chessboard:9x6:30 (inner corners, square in mm), "
+                  "charuco:5x7:40:20:DICT_6X6_250 or two-plane-24")
         ->required();
     c->add_option("--stages", o.stages, "Folder for a picture of every stage");
     add_json(*c, chosen);
@@ -172,9 +189,12 @@ void add_match(CLI::App& app, Chosen& chosen, MatchOptions& o) {
     CLI::App* c = app.add_subcommand("match", "Find a template picture in another picture");
     c->add_option("image", o.image, "The picture")->required();
     c->add_option("template", o.templ, "The template picture")->required();
-    c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")->capture_default_str();
+    c->add_option("--measure", o.measure, "sad, ncc, zncc or hamming")
+        ->capture_default_str()
+        ->check(CLI::IsMember(measure_words));
     c->add_option("--transform", o.transform, "none, gauss, rank3, rank5, census, sdog or gradient")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::IsMember(transform_words));
     MatchSearchOptions& s = o.search;
     c->add_option("--search", s.strategy,
                   "full, window, sparse, window-sparse, epipolar or epipolar-sparse")
@@ -191,9 +211,9 @@ void add_match(CLI::App& app, Chosen& chosen, MatchOptions& o) {
     c->add_option("--band", s.band_px, "Epipolar: so far beside the curve, px (2)")
         ->check(CLI::Range(0, 1000));
     c->add_option("--nearest-mm", s.nearest_mm, "Epipolar: least distance (250)")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     c->add_option("--farthest-mm", s.farthest_mm, "Epipolar: largest distance (1e6)")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     c->add_option("--map", o.map, "Write the scores as a 32-bit float TIFF");
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_match(o); }; });
@@ -213,9 +233,7 @@ void add_simulate(CLI::App& app, Chosen& chosen, SimulateOptions& o) {
                   "default, chessboard or two-plane-24, with ?key=value&...; for water colour=1, "
                   "water=clear, coastal or harbour, lamps=1, snow=N")
         ->capture_default_str();
-    c->add_option("--seconds", o.seconds, "How long")
-        ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+    c->add_option("--seconds", o.seconds, "How long")->capture_default_str()->check(above_zero());
     c->add_option("--out", o.out, "Folder to make")->required();
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_simulate(o); }; });
@@ -244,7 +262,7 @@ void add_live(CLI::App& app, Chosen& chosen, LiveOptions& o) {
     c->add_option("--pan-tilt", o.pan_tilt,
                   "A real head in place of the simulated one: visca:/dev/ttyS0 and so on");
     c->add_option("--seconds", o.seconds, "How long; until Ctrl-C where not given")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_live(o); }; });
 }
@@ -276,8 +294,7 @@ void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
         ->allow_extra_args(false);
     c->add_option("--truth", o.truth,
                   "Where the template's centre is: a table such as simulate writes");
-    c->add_option("--start", o.recording.start, "Begin at this frame")
-        ->check(CLI::NonNegativeNumber);
+    c->add_option("--start", o.recording.start, "Begin at this frame")->check(not_negative());
     c->add_option("--rate", o.recording.pictures_rate_hz,
                   "Single pictures a second, which carry no time themselves")
         ->capture_default_str()
@@ -301,7 +318,9 @@ void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
 
 void add_bench(CLI::App& app, Chosen& chosen, BenchOptions& o) {
     CLI::App* c = app.add_subcommand("bench", "Measure the speed, with OpenCV beside it");
-    c->add_option("what", o.what, "correlation")->capture_default_str();
+    c->add_option("what", o.what, "correlation")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"correlation"}));
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_bench(o); }; });
 }
@@ -378,6 +397,12 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         const int code = app.exit(error);
         return code == 0 ? 0 : exit_usage;
+    }
+    for (const CLI::App* command : app.get_subcommands()) {
+        if (const std::string clash = clash_of_files(*command); !clash.empty()) {
+            std::cerr << "kambara-cli: " << clash << '\n';
+            return exit_usage;
+        }
     }
     catch_interrupt();
     return finish(chosen.run(), chosen.json);

@@ -20,7 +20,9 @@ Outcome failed(const Error& error) {
 Outcome run_target(const TargetOptions& options) {
     const auto target = parse_target(options.target);
     if (!target) {
-        return failed(target.error());
+        Outcome outcome = failed(target.error());
+        outcome.wrong_usage = true;
+        return outcome;
     }
     const auto pdf = target_pdf(*target, options.paper);
     if (!pdf) {

@@ -50,6 +50,10 @@ class TrackLog {
         std::lock_guard lock(mutex_);
         return last_.failure;
     }
+    std::int64_t frames() const {
+        std::lock_guard lock(mutex_);
+        return frames_;
+    }
     std::string table() const {
         std::lock_guard lock(mutex_);
         return (several() ? targets_table_header() : track_table_header()) + rows_;
@@ -250,13 +254,17 @@ Result<nlohmann::json> track(const TrackOptions& options) {
         ProgressLine progress;
         log.wait(progress);
     }
-    if (const auto failure = log.failure()) {
-        return *failure;
-    }
-    if (options.csv) {
+    if (options.csv && (!log.failure() || log.frames() > 0)) {
         if (const auto written = write_text_file_atomically(*options.csv, log.table()); !written) {
             return written.error();
         }
+    }
+    if (auto failure = log.failure()) {
+        if (options.csv && log.frames() > 0) {
+            failure->remedy += " What was tracked before, " + std::to_string(log.frames()) +
+                               " frames, is in " + options.csv->string() + ".";
+        }
+        return *failure;
     }
     return log.report();
 }

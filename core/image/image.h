@@ -19,7 +19,9 @@ class Image {
     int height() const { return height_; }
     int channels() const { return channels_; }
     bool empty() const { return pixels_.empty(); }
-    std::size_t row_bytes() const { return static_cast<std::size_t>(width_) * static_cast<std::size_t>(channels_); }
+    std::size_t row_bytes() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(channels_);
+    }
 
     std::uint8_t* row(int y) { return pixels_.data() + static_cast<std::size_t>(y) * row_bytes(); }
     const std::uint8_t* row(int y) const {

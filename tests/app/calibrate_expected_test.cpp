@@ -92,7 +92,7 @@ TEST_F(CalibrateExpectedTest, AnotherLensIsRefused) {
 
 TEST_F(CalibrateExpectedTest, AMediumThatIsNoneIsRefused) {
     const Finished run = calibrated("air.yaml", "oil");
-    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.exit_code, 2);
     EXPECT_NE(run.errors.find("oil"), std::string::npos) << run.errors;
 }
 
