@@ -15,6 +15,7 @@
 #include "app/cli/compare_command.h"
 #include "app/cli/convert_command.h"
 #include "app/cli/detect_command.h"
+#include "app/cli/experiment_options.h"
 #include "app/cli/head_options.h"
 #include "app/cli/live_command.h"
 #include "app/cli/match_command.h"
@@ -258,6 +259,12 @@ void add_heads(CLI::App& app, Chosen& chosen, PanTiltOptions& p, SimulateEviOpti
     c->callback([&] { chosen.run = [&e] { return run_simulate_evi(e); }; });
 }
 
+void add_experiments(CLI::App& app, Chosen& chosen, RangeTestOptions& r) {
+    CLI::App* c = add_range_test(app, r);
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&r] { return run_range_test(r); }; });
+}
+
 void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
     CLI::App* c = app.add_subcommand(
         "compare-methods",
@@ -359,6 +366,7 @@ int main(int argc, char** argv) {
     CompareOptions compare;
     PanTiltOptions pan_tilt;
     SimulateEviOptions simulate_evi;
+    RangeTestOptions range_test;
     add_calibrate(app, chosen, calibrate);
     add_calibrate_points(app, chosen, calibrate_points);
     add_calibration_statistics(app, chosen, calibration_statistics);
@@ -373,6 +381,7 @@ int main(int argc, char** argv) {
     add_bench(app, chosen, bench);
     add_compare(app, chosen, compare);
     add_heads(app, chosen, pan_tilt, simulate_evi);
+    add_experiments(app, chosen, range_test);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/base/angles.h"
+#include "hardware/simulated/station_path.h"
 #include "hardware/simulated/tones.h"
 
 namespace kambara {
@@ -197,6 +198,9 @@ RigidTransform Scene::own_pose(double time_s) const {
         R = Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * R;
         return {R, place - R * middle_mm_};
     }
+    if (profile_.stations) {
+        return {Eigen::Matrix3d::Identity(), station_path::place_at_mm(time_s)};
+    }
     const double middle_mm = 0.5 * (profile_.farthest_mm + profile_.nearest_mm);
     const double reach_mm = 0.5 * (profile_.farthest_mm - profile_.nearest_mm);
     const Eigen::Vector3d place(225.0 + 280.0 * wave(time_s, 10.0, phase_[0]),
@@ -211,6 +215,9 @@ RigidTransform Scene::own_pose(double time_s) const {
 std::int64_t Scene::still_since(double time_s) const {
     if (const auto held = held_at(time_s)) {
         return held->still_since;
+    }
+    if (profile_.stations) {
+        return station_path::station_at(time_s);
     }
     return profile_.calibration_target ? static_cast<std::int64_t>(std::floor(time_s / pose_held_s))
                                        : -1;
