@@ -34,4 +34,29 @@ CLI::App* add_range_test(CLI::App& app, RangeTestOptions& o) {
     return c;
 }
 
+CLI::App* add_level(CLI::App& app, LevelOptions& o) {
+    CLI::App* c = app.add_subcommand(
+        "level",
+        "The angle in which the rig is mounted, from a movement straight up and down or "
+        "from an upright wall");
+    c->add_option("--rig", o.rig, "The rig that measured")->required();
+    c->add_option("--track", o.track,
+                  "Track table (frame left) of a target moved straight up and down");
+    c->add_option("--points", o.points,
+                  "Table with columns x_mm,y_mm,z_mm in the left camera's frame, or left_x_px,"
+                  "left_y_px,right_x_px,right_y_px");
+    c->add_option("--by", o.by, "vertical: a movement; wall: points of a wall before the rig")
+        ->capture_default_str();
+    c->add_option("--roll", o.roll_deg,
+                  "By a wall, which does not tell it: how far the rig's right side hangs down, "
+                  "degrees (0, or the rig file's)");
+    c->add_option("--heading", o.heading_deg,
+                  "How far the rig looks to the right of the bow, degrees (0, or the rig file's)");
+    c->add_option("--rig-at", o.rig_in_vehicle,
+                  "X,Y,Z: the rig's origin in the vehicle's frame, mm: forward, to the right, down "
+                  "(0,0,0, or the rig file's)");
+    c->add_option("--out", o.out, "Rig file to write, with the mount");
+    return c;
+}
+
 }  // namespace kambara::cli

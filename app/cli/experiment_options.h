@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cli/level_command.h"
 #include "app/cli/range_test_command.h"
 
 namespace CLI {
@@ -11,5 +12,8 @@ namespace kambara::cli {
 
 /// The subcommand `range-test` and its options.
 CLI::App* add_range_test(CLI::App& app, RangeTestOptions& options);
+
+/// The subcommand `level` and its options.
+CLI::App* add_level(CLI::App& app, LevelOptions& options);
 
 }  // namespace kambara::cli

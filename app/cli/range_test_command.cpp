@@ -58,7 +58,7 @@ Result<std::vector<Held>> simulated_places(const RangeTestOptions& options,
     if (!profile) {
         return profile.error();
     }
-    if (!profile->stations) {
+    if (profile->path != TargetPath::stations) {
         return Error{"The simulated profile " + profile->name + " has no known places.",
                      "Give --left sim:stations, or the places with --known."};
     }
