@@ -59,4 +59,19 @@ CLI::App* add_level(CLI::App& app, LevelOptions& o) {
     return c;
 }
 
+CLI::App* add_calibrate_head(CLI::App& app, CalibrateHeadOptions& o) {
+    CLI::App* c =
+        app.add_subcommand("calibrate-head",
+                           "The head's axes, lever arms and backlash, from pictures of a target at "
+                           "several head positions");
+    c->add_option("--rig", o.rig, "Rig file of all three cameras, the head at home")->required();
+    c->add_option("--views", o.views,
+                  "Table with columns left,right,pan_tilt (pictures),pan_deg,tilt_deg and, for the "
+                  "backlash, pan_from,tilt_from (below or above)")
+        ->required();
+    c->add_option("--target", o.target, "As for calibrate")->capture_default_str();
+    c->add_option("--out", o.out, "Rig file to write, with the head's model")->required();
+    return c;
+}
+
 }  // namespace kambara::cli

@@ -263,13 +263,17 @@ void add_heads(CLI::App& app, Chosen& chosen, PanTiltOptions& p, SimulateEviOpti
     c->callback([&] { chosen.run = [&e] { return run_simulate_evi(e); }; });
 }
 
-void add_experiments(CLI::App& app, Chosen& chosen, RangeTestOptions& r, LevelOptions& l) {
+void add_experiments(CLI::App& app, Chosen& chosen, RangeTestOptions& r, LevelOptions& l,
+                     CalibrateHeadOptions& h) {
     CLI::App* c = add_range_test(app, r);
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&r] { return run_range_test(r); }; });
     c = add_level(app, l);
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&l] { return run_level(l); }; });
+    c = add_calibrate_head(app, h);
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&h] { return run_calibrate_head(h); }; });
 }
 
 void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
@@ -375,6 +379,7 @@ int main(int argc, char** argv) {
     SimulateEviOptions simulate_evi;
     RangeTestOptions range_test;
     LevelOptions level;
+    CalibrateHeadOptions calibrate_head;
     add_calibrate(app, chosen, calibrate);
     add_calibrate_points(app, chosen, calibrate_points);
     add_calibration_statistics(app, chosen, calibration_statistics);
@@ -389,7 +394,7 @@ int main(int argc, char** argv) {
     add_bench(app, chosen, bench);
     add_compare(app, chosen, compare);
     add_heads(app, chosen, pan_tilt, simulate_evi);
-    add_experiments(app, chosen, range_test, level);
+    add_experiments(app, chosen, range_test, level, calibrate_head);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
