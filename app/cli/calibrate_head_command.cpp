@@ -171,7 +171,7 @@ nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& reje
 
 std::string backlash(const char* axis, bool seen, double rad, double sigma_rad) {
     char text[120];
-    std::snprintf(text, sizeof text, "Backlash of %s: %.3f degrees (deviation %.3f).\n", axis,
+    std::snprintf(text, sizeof text, "Backlash of %s: %.3f degrees (deviation %.4f).\n", axis,
                   deg_from_rad(rad), deg_from_rad(sigma_rad));
     return seen ? text
                 : std::string("Backlash of ") + axis +
