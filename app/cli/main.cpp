@@ -17,6 +17,7 @@
 #include "app/cli/compare_command.h"
 #include "app/cli/convert_command.h"
 #include "app/cli/detect_command.h"
+#include "app/cli/experiment_options.h"
 #include "app/cli/head_options.h"
 #include "app/cli/live_command.h"
 #include "app/cli/match_command.h"
@@ -87,6 +88,10 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     c->add_option("--seconds", o.seconds, "Stop after so much of the source's time")
         ->check(above_zero());
     c->add_option("--record", o.record, "Folder to record the session in");
+    c->add_option("--frame", o.frame,
+                  "Frame of the table's positions: left (camera), rig, level or vehicle; the last "
+                  "two need a rig file with a mount")
+        ->capture_default_str();
     c->add_option("--csv", o.csv, "Table to write")->required();
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_track(o); }; });
@@ -276,6 +281,19 @@ void add_heads(CLI::App& app, Chosen& chosen, PanTiltOptions& p, SimulateEviOpti
     c->callback([&] { chosen.run = [&e] { return run_simulate_evi(e); }; });
 }
 
+void add_experiments(CLI::App& app, Chosen& chosen, RangeTestOptions& r, LevelOptions& l,
+                     CalibrateHeadOptions& h) {
+    CLI::App* c = add_range_test(app, r);
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&r] { return run_range_test(r); }; });
+    c = add_level(app, l);
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&l] { return run_level(l); }; });
+    c = add_calibrate_head(app, h);
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&h] { return run_calibrate_head(h); }; });
+}
+
 void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
     CLI::App* c = app.add_subcommand(
         "compare-methods",
@@ -378,6 +396,9 @@ int main(int argc, char** argv) {
     CompareOptions compare;
     PanTiltOptions pan_tilt;
     SimulateEviOptions simulate_evi;
+    RangeTestOptions range_test;
+    LevelOptions level;
+    CalibrateHeadOptions calibrate_head;
     add_calibrate(app, chosen, calibrate);
     add_calibrate_points(app, chosen, calibrate_points);
     add_calibration_statistics(app, chosen, calibration_statistics);
@@ -392,6 +413,7 @@ int main(int argc, char** argv) {
     add_bench(app, chosen, bench);
     add_compare(app, chosen, compare);
     add_heads(app, chosen, pan_tilt, simulate_evi);
+    add_experiments(app, chosen, range_test, level, calibrate_head);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

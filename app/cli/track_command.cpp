@@ -10,6 +10,7 @@
 #include "app/cli/track_table.h"
 #include "app/cli/truth_comparison.h"
 #include "core/base/text_file.h"
+#include "core/camera/position_frame.h"
 #include "core/image/rectangle.h"
 #include "core/matching/match_method.h"
 #include "hardware/simulated/simulated_world.h"
@@ -20,8 +21,12 @@ namespace {
 // What the run gathers, frame by frame, on the pipeline's thread.
 class TrackLog {
   public:
-    TrackLog(std::size_t targets, std::optional<TruthComparison> truth, std::int64_t end_ns)
-        : tracked_of_(targets, 0), truth_(std::move(truth)), end_ns_(end_ns) {}
+    TrackLog(std::size_t targets, std::optional<TruthComparison> truth, std::int64_t end_ns,
+             const RigidTransform& T_frame_from_left)
+        : tracked_of_(targets, 0),
+          truth_(std::move(truth)),
+          end_ns_(end_ns),
+          T_frame_from_left_(T_frame_from_left) {}
 
     void add(const Snapshot& snapshot) {
         {
@@ -108,7 +113,8 @@ class TrackLog {
             tracked_ += tracked && track.id == steered_ ? 1 : 0;
         }
         processing_ms_ += snapshot.processing_ms;
-        rows_ += several() ? targets_table_rows(snapshot) : track_table_row(snapshot);
+        rows_ += several() ? targets_table_rows(snapshot, T_frame_from_left_)
+                           : track_table_row(snapshot, T_frame_from_left_);
         if (truth_) {
             truth_->add(snapshot);
         }
@@ -125,6 +131,7 @@ class TrackLog {
     std::vector<std::int64_t> tracked_of_;  // by number, from 1 on
     std::optional<TruthComparison> truth_;
     const std::int64_t end_ns_;
+    const RigidTransform T_frame_from_left_;
     std::string rows_;
     std::int64_t frames_ = 0;
     std::int64_t tracked_ = 0;  // of the steered target
@@ -213,6 +220,10 @@ Result<nlohmann::json> track(const TrackOptions& options) {
     if (!sources) {
         return sources.error();
     }
+    const auto T_frame = T_frame_from_left(sources->parts.rig, options.frame);
+    if (!T_frame) {
+        return T_frame.error();
+    }
     const auto rectangles = chosen_templates(options, *sources);
     if (!rectangles) {
         return rectangles.error();
@@ -244,7 +255,7 @@ Result<nlohmann::json> track(const TrackOptions& options) {
     }
     const double seconds = options.seconds.value_or(1e9);
     TrackLog log(rectangles->size(), std::move(truth),
-                 first->time_ns + static_cast<std::int64_t>(seconds * 1e9));
+                 first->time_ns + static_cast<std::int64_t>(seconds * 1e9), *T_frame);
     const auto observation =
         system.observe([&log](const SnapshotPtr& snapshot) { log.add(*snapshot); });
     if (const auto done = execute_all(system, {StartTracking{}, Flow{Flow::Kind::run}}); !done) {

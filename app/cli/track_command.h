@@ -19,7 +19,8 @@ struct TrackOptions {
     int steer = 1;  ///< the number of the target that the head is steered to
     std::string measure = "zncc";
     std::string transform = "none";
-    std::string temporal;  ///< median:N or mean:N; empty: the pictures as they are
+    std::string temporal;        ///< median:N or mean:N; empty: the pictures as they are
+    std::string frame = "left";  ///< of the positions: left, rig, level or vehicle
     std::optional<std::filesystem::path> csv;
     std::optional<std::filesystem::path> record;
     std::optional<double> seconds;  ///< stop after so much of the source's time

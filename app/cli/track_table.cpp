@@ -38,14 +38,17 @@ constexpr const char* columns =
     "frame,time_s,state,left_x_px,left_y_px,right_x_px,right_y_px,quality,x_mm,y_mm,z_mm,"
     "sigma_x_mm,sigma_y_mm,sigma_z_mm,pan_deg,tilt_deg,reason";
 
-std::string row_of(const Snapshot& snapshot, const TrackEstimate& estimate) {
+std::string row_of(const Snapshot& snapshot, const TrackEstimate& estimate,
+                   const RigidTransform& T) {
     std::string row = std::to_string(snapshot.frame) + "," +
                       number(static_cast<double>(snapshot.time_ns) * 1e-9, "%.6f") + "," +
                       to_string(estimate.state) + "," + pair(estimate.left_px) + "," +
                       pair(estimate.right_px) + "," + number(estimate.quality, "%.4f") + ",";
     if (estimate.position) {
-        const Eigen::Vector3d& p = estimate.position->point_in_left_mm;
-        const Eigen::Vector3d sigma = estimate.position->covariance_mm2.diagonal().cwiseSqrt();
+        const Eigen::Vector3d p = T * estimate.position->point_in_left_mm;
+        const Eigen::Matrix3d covariance_mm2 =
+            T.R * estimate.position->covariance_mm2 * T.R.transpose();
+        const Eigen::Vector3d sigma = covariance_mm2.diagonal().cwiseSqrt();
         for (const double value : {p.x(), p.y(), p.z(), sigma.x(), sigma.y(), sigma.z()}) {
             row += number(value, "%.4f") + ",";
         }
@@ -67,18 +70,19 @@ std::string track_table_header() {
     return std::string(columns) + "\n";
 }
 
-std::string track_table_row(const Snapshot& snapshot) {
-    return row_of(snapshot, steered_estimate(snapshot)) + "\n";
+std::string track_table_row(const Snapshot& snapshot, const RigidTransform& T_frame_from_left) {
+    return row_of(snapshot, steered_estimate(snapshot), T_frame_from_left) + "\n";
 }
 
 std::string targets_table_header() {
     return std::string(columns) + ",target\n";
 }
 
-std::string targets_table_rows(const Snapshot& snapshot) {
+std::string targets_table_rows(const Snapshot& snapshot, const RigidTransform& T_frame_from_left) {
     std::string rows;
     for (const TrackSnapshot& track : snapshot.tracks) {
-        rows += row_of(snapshot, track.estimate) + "," + std::to_string(track.id) + "\n";
+        rows += row_of(snapshot, track.estimate, T_frame_from_left) + "," +
+                std::to_string(track.id) + "\n";
     }
     return rows;
 }

@@ -3,18 +3,21 @@
 
 #include <string>
 
+#include "core/geometry/rigid_transform.h"
 #include "core/vsystem/snapshot.h"
 
 namespace kambara::cli {
 
-/// The rows that `track` writes, one a frame (resources/README.md: track table). Positions are in
-/// the left camera's frame, of the point that was the template's centre; what is not known is left
-/// empty.
+/// The rows that `track` writes, one a frame (resources/README.md: track table). Positions are of
+/// the point that was the template's centre, in the frame that the transform leads to: the left
+/// camera's where it is left out. What is not known is left empty.
 std::string track_table_header();
-std::string track_table_row(const Snapshot& snapshot);  ///< of the steered target
+/// Of the steered target.
+std::string track_table_row(const Snapshot& snapshot, const RigidTransform& T_frame_from_left = {});
 
 /// Likewise with several targets: a row for each, with its number in one more column.
 std::string targets_table_header();
-std::string targets_table_rows(const Snapshot& snapshot);
+std::string targets_table_rows(const Snapshot& snapshot,
+                               const RigidTransform& T_frame_from_left = {});
 
 }  // namespace kambara::cli

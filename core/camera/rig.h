@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/camera/head_model.h"
 #include "core/camera/lens.h"
+#include "core/camera/mount.h"
 #include "core/geometry/rigid_transform.h"
 
 namespace kambara {
@@ -48,6 +50,8 @@ struct Rig {
     Camera left;
     std::optional<Camera> right;
     std::optional<Camera> pan_tilt;  ///< with the head at home
+    std::optional<HeadModel> head;   ///< how the pan-tilt camera moves, where that is known
+    std::optional<Mount> mount;      ///< on the vehicle, where that is known
     Provenance provenance;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/angles.h"
 #include "core/base/digits.h"
 #include "core/base/text_file.h"
 
@@ -149,6 +150,49 @@ std::optional<double> optional_number(const YAML::Node& node, const std::string&
     return node[key] ? std::optional(number(node, where, key)) : std::nullopt;
 }
 
+double angle(const YAML::Node& node, const std::string& where, const char* key) {
+    const double value_deg = number(node, where, key);
+    if (std::abs(value_deg) > 360.0) {
+        throw Fault{where + key, "is not an angle in degrees"};
+    }
+    return rad_from_deg(value_deg);
+}
+
+HeadModel read_head(const YAML::Node& node) {
+    const std::string where = "head.";
+    HeadModel head;
+    head.T_base_from_rig =
+        read_pose(child(node, where, "T_base_from_rig"), where + "T_base_from_rig.");
+    head.tilt_axis_ahead_mm = number(node, where, "tilt_axis_ahead_mm");
+    head.tilt_axis_skew_rad = angle(node, where, "tilt_axis_skew_deg");
+    head.T_camera_from_tilt =
+        read_pose(child(node, where, "T_camera_from_tilt"), where + "T_camera_from_tilt.");
+    head.pan_backlash_rad = angle(node, where, "pan_backlash_deg");
+    head.tilt_backlash_rad = angle(node, where, "tilt_backlash_deg");
+    return head;
+}
+
+std::optional<double> optional_angle(const YAML::Node& node, const std::string& where,
+                                     const char* key) {
+    return node[key] ? std::optional(angle(node, where, key)) : std::nullopt;
+}
+
+Mount read_mount(const YAML::Node& node) {
+    const std::string where = "mount.";
+    Mount mount;
+    mount.pitch_rad = angle(node, where, "pitch_deg");
+    mount.roll_rad = angle(node, where, "roll_deg");
+    mount.heading_rad = angle(node, where, "heading_deg");
+    mount.pitch_sigma_rad = optional_angle(node, where, "pitch_sigma_deg");
+    mount.roll_sigma_rad = optional_angle(node, where, "roll_sigma_deg");
+    const auto at = numbers(child(node, where, "rig_in_vehicle_mm"), where + "rig_in_vehicle_mm");
+    if (at.size() != 3) {
+        throw Fault{where + "rig_in_vehicle_mm", "does not have three numbers"};
+    }
+    mount.rig_in_vehicle_mm = Eigen::Map<const Eigen::Vector3d>(at.data());
+    return mount;
+}
+
 Rig read_rig(const YAML::Node& root) {
     if (!root.IsMap()) {
         throw Fault{"kambara_rig", "is missing"};
@@ -178,6 +222,12 @@ Rig read_rig(const YAML::Node& root) {
     }
     if (cameras["pan_tilt"]) {
         rig.pan_tilt = read_camera(cameras["pan_tilt"], "cameras.pan_tilt.");
+    }
+    if (root["head"]) {
+        rig.head = read_head(root["head"]);
+    }
+    if (root["mount"]) {
+        rig.mount = read_mount(root["mount"]);
     }
     if (const auto from = root["provenance"]; from && from.IsMap()) {
         rig.provenance.method = text_or_empty(from, "method");
@@ -231,21 +281,59 @@ void write_lens(YAML::Emitter& out, const BrownLens& lens) {
     out << YAML::EndMap;
 }
 
+void write_pose(YAML::Emitter& out, const char* name, const RigidTransform& pose) {
+    out << YAML::Key << name << YAML::Value << YAML::BeginMap;
+    out << YAML::Key << "R" << YAML::Value << YAML::BeginSeq;
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::RowVector3d row = pose.R.row(i);
+        out << YAML::Flow << digits(std::vector<double>{row[0], row[1], row[2]});
+    }
+    const Eigen::Vector3d& t = pose.t_mm;
+    out << YAML::EndSeq << YAML::Key << "t_mm" << YAML::Value << YAML::Flow
+        << digits(std::vector<double>{t[0], t[1], t[2]}) << YAML::EndMap;
+}
+
 void write_camera(YAML::Emitter& out, const char* name, const Camera& camera) {
     out << YAML::Key << name << YAML::Value << YAML::BeginMap;
     out << YAML::Key << "size_px" << YAML::Value << YAML::Flow
         << std::vector<int>{camera.width_px, camera.height_px};
     out << YAML::Key << "lens" << YAML::Value;
     std::visit([&](const auto& lens) { write_lens(out, lens); }, camera.lens);
-    out << YAML::Key << "T_camera_from_rig" << YAML::Value << YAML::BeginMap;
-    out << YAML::Key << "R" << YAML::Value << YAML::BeginSeq;
-    for (int i = 0; i < 3; ++i) {
-        const Eigen::RowVector3d row = camera.T_camera_from_rig.R.row(i);
-        out << YAML::Flow << digits(std::vector<double>{row[0], row[1], row[2]});
+    write_pose(out, "T_camera_from_rig", camera.T_camera_from_rig);
+    out << YAML::EndMap;
+}
+
+void write_head(YAML::Emitter& out, const HeadModel& head) {
+    out << YAML::Key << "head" << YAML::Value << YAML::BeginMap;
+    write_pose(out, "T_base_from_rig", head.T_base_from_rig);
+    out << YAML::Key << "tilt_axis_ahead_mm" << YAML::Value << digits(head.tilt_axis_ahead_mm);
+    const auto angle = [&out](const char* key, double value_rad) {
+        out << YAML::Key << key << YAML::Value << digits(deg_from_rad(value_rad));
+    };
+    angle("tilt_axis_skew_deg", head.tilt_axis_skew_rad);
+    write_pose(out, "T_camera_from_tilt", head.T_camera_from_tilt);
+    angle("pan_backlash_deg", head.pan_backlash_rad);
+    angle("tilt_backlash_deg", head.tilt_backlash_rad);
+    out << YAML::EndMap;
+}
+
+void write_mount(YAML::Emitter& out, const Mount& mount) {
+    out << YAML::Key << "mount" << YAML::Value << YAML::BeginMap;
+    const auto angle = [&out](const char* key, double value_rad) {
+        out << YAML::Key << key << YAML::Value << digits(deg_from_rad(value_rad));
+    };
+    angle("pitch_deg", mount.pitch_rad);
+    angle("roll_deg", mount.roll_rad);
+    angle("heading_deg", mount.heading_rad);
+    if (mount.pitch_sigma_rad) {
+        angle("pitch_sigma_deg", *mount.pitch_sigma_rad);
     }
-    const Eigen::Vector3d& t = camera.T_camera_from_rig.t_mm;
-    out << YAML::EndSeq << YAML::Key << "t_mm" << YAML::Value << YAML::Flow
-        << digits(std::vector<double>{t[0], t[1], t[2]}) << YAML::EndMap << YAML::EndMap;
+    if (mount.roll_sigma_rad) {
+        angle("roll_sigma_deg", *mount.roll_sigma_rad);
+    }
+    const Eigen::Vector3d& at = mount.rig_in_vehicle_mm;
+    out << YAML::Key << "rig_in_vehicle_mm" << YAML::Value << YAML::Flow
+        << digits(std::vector<double>{at.x(), at.y(), at.z()}) << YAML::EndMap;
 }
 
 }  // namespace
@@ -297,7 +385,14 @@ std::string rig_to_text(const Rig& rig) {
     if (rig.pan_tilt) {
         write_camera(out, "pan_tilt", *rig.pan_tilt);
     }
-    out << YAML::EndMap << YAML::EndMap;
+    out << YAML::EndMap;
+    if (rig.head) {
+        write_head(out, *rig.head);
+    }
+    if (rig.mount) {
+        write_mount(out, *rig.mount);
+    }
+    out << YAML::EndMap;
     return std::string(out.c_str()) + "\n";
 }
 

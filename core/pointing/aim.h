@@ -11,7 +11,8 @@ namespace kambara {
 /// The head's angles that put a point, given in the left camera's frame, on its optical axis:
 /// p_1 = R_1 R_0^T (p_0 - T_0) + T_1, pan = atan2(x_1, z_1), tilt = atan2(-y_1, sqrt(x_1^2 +
 /// z_1^2)) (geometry: pan-tilt mapping; 1999's equation 37, mended). The camera's centre is taken
-/// to stay where it is at home. The rig must have a pan-tilt camera.
+/// to stay where it is at home, unless the rig has a head model: then its axes and lever arms are
+/// taken into account, and the angles are found by iteration. The rig must have a pan-tilt camera.
 HeadAngles angles_towards(const Rig& rig, const Eigen::Vector3d& point_in_left_mm);
 
 /// The optical axis at the angles, a unit vector in the frame of the pan-tilt camera at home.

@@ -52,6 +52,12 @@ class HtmlReport {
     /// eight are told apart by their colours; the labels stand to the right.
     void lines(std::string_view title, std::string_view across, std::string_view up, double top,
                const std::vector<Series>& series);
+
+    /// Points of several kinds over axes that fit around them, of either sign, with a line at zero;
+    /// the labels stand to the right. At most eight are told apart by their colours.
+    void scatter(std::string_view title, std::string_view across, std::string_view up,
+                 const std::vector<Series>& series);
+
     struct Arrow {
         double x = 0.0;
         double y = 0.0;

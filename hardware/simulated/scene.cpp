@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/base/angles.h"
+#include "hardware/simulated/station_path.h"
 #include "hardware/simulated/tones.h"
 
 namespace kambara {
@@ -25,6 +26,10 @@ constexpr float mark_grey = 30.0F;
 // The vehicle's axes in the rig's frame.
 const Eigen::Vector3d down(0.0, std::cos(cameras_down_rad), std::sin(cameras_down_rad));
 const Eigen::Vector3d forward(0.0, -std::sin(cameras_down_rad), std::cos(cameras_down_rad));
+
+// What is moved on a plumb line.
+const Eigen::Vector3d plumb_middle_mm(225.0, 100.0, 1300.0);
+constexpr double plumb_reach_mm = 300.0;
 
 // The box in which particles drift; leaving it on one side they come in on the other.
 const Eigen::Vector3d box_from(-900.0, -600.0, 450.0);
@@ -197,6 +202,13 @@ RigidTransform Scene::own_pose(double time_s) const {
         R = Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * R;
         return {R, place - R * middle_mm_};
     }
+    if (profile_.path == TargetPath::plumb) {
+        return {Eigen::Matrix3d::Identity(),
+                plumb_middle_mm + plumb_reach_mm * wave(time_s, 8.0, 0.0) * down};
+    }
+    if (profile_.path == TargetPath::stations) {
+        return {Eigen::Matrix3d::Identity(), station_path::place_at_mm(time_s)};
+    }
     const double middle_mm = 0.5 * (profile_.farthest_mm + profile_.nearest_mm);
     const double reach_mm = 0.5 * (profile_.farthest_mm - profile_.nearest_mm);
     const Eigen::Vector3d place(225.0 + 280.0 * wave(time_s, 10.0, phase_[0]),
@@ -211,6 +223,9 @@ RigidTransform Scene::own_pose(double time_s) const {
 std::int64_t Scene::still_since(double time_s) const {
     if (const auto held = held_at(time_s)) {
         return held->still_since;
+    }
+    if (profile_.path == TargetPath::stations) {
+        return station_path::station_at(time_s);
     }
     return profile_.calibration_target ? static_cast<std::int64_t>(std::floor(time_s / pose_held_s))
                                        : -1;

@@ -12,7 +12,9 @@ namespace {
 
 Error refused(const std::string& cause) {
     return {cause,
-            "Give default, chessboard or two-plane-24, and after a ? any of seed, noise, colour, "
+            "Give default, stations, plumb, chessboard or two-plane-24, and after a ? any of seed, "
+            "noise, "
+            "colour, "
             "water, lamps, haze, veil, forward, blur, snow, particles, step, swap, nearest, "
             "farthest, frames, rate, medium, target, as in default?seed=3&noise=1."};
 }
@@ -152,6 +154,10 @@ Result<SimulatedProfile> simulated_profile(std::string_view text) {
         profile.calibration_target = ChessboardTarget{9, 6, 30.0};
     } else if (profile.name == "two-plane-24") {
         profile.calibration_target = two_plane_24();
+    } else if (profile.name == "stations") {
+        profile.path = TargetPath::stations;
+    } else if (profile.name == "plumb") {
+        profile.path = TargetPath::plumb;
     } else if (profile.name != "default") {
         return refused("There is no simulated profile \"" + profile.name + "\".");
     }

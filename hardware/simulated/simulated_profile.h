@@ -13,6 +13,13 @@
 
 namespace kambara {
 
+/// Where the textured target goes.
+enum class TargetPath {
+    swimming,  ///< to and fro on a smooth path
+    stations,  ///< to the range experiment's places, one after the other (station_path.h)
+    plumb,     ///< straight up and down, 1.3 m before the rig
+};
+
 /// What is simulated. The same profile gives the same pictures, always.
 struct SimulatedProfile {
     std::string name = "default";
@@ -39,13 +46,15 @@ struct SimulatedProfile {
     std::int64_t frames = -1;     ///< the source ends after so many; -1: never
     /// A calibration target shown in still poses, a second each, instead of the moving target.
     std::optional<Target> calibration_target;
+    TargetPath path = TargetPath::swimming;
 };
 
 /// Reads `NAME?key=value&key=value`. Names: default (a textured target on a smooth path),
-/// chessboard (9x6:30 unless target= says otherwise), two-plane-24. Keys: seed, noise, colour,
-/// lamps, water (clear, coastal, harbour: sets veil and medium and those between, each of which may
-/// be given as well), haze, veil, forward, blur, snow, particles, step, swap, nearest, farthest,
-/// frames, rate, medium (air, water), target.
+/// chessboard (9x6:30 unless target= says otherwise), two-plane-24, stations (the range
+/// experiment's 75 places, a second each), plumb (moved straight up and down). Keys: seed, noise,
+/// colour, lamps, water (clear, coastal, harbour: sets veil and medium and those between, each of
+/// which may be given as well), haze, veil, forward, blur, snow, particles, step, swap, nearest,
+/// farthest, frames, rate, medium (air, water), target.
 Result<SimulatedProfile> simulated_profile(std::string_view text);
 
 }  // namespace kambara

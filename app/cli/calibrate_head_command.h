@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/cli/outcome.h"
+
+namespace kambara::cli {
+
+struct CalibrateHeadOptions {
+    std::filesystem::path rig;
+    /// Table: left,right,pan_tilt (pictures, from the table's folder), pan_deg,tilt_deg (told by
+    /// the head), and where known pan_from,tilt_from: below or above.
+    std::string views;
+    std::string target = "two-plane-24";
+    std::filesystem::path out;
+};
+
+/// The head's axes, lever arms and backlash, from pictures of a target by all three cameras at
+/// several head positions. The target may move between the views, not within one. JSON: rms_px,
+/// rms_without_model_px, views_used, views_rejected[{line, reason}], points, the model's numbers
+/// and deviations.
+Outcome run_calibrate_head(const CalibrateHeadOptions& options);
+
+}  // namespace kambara::cli

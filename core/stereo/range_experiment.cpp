@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/stereo/range_experiment.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/geometry/rigid_transform.h"
+
+namespace kambara {
+namespace {
+
+using Points = Eigen::Matrix3Xd;
+
+struct Reading {
+    Points known;
+    Points measured;
+    std::vector<double> scatter_mm;
+};
+
+Error at_station(std::size_t index, const std::string& what) {
+    return {"Station " + std::to_string(index + 1) + " " + what + ".",
+            "Leave it out, or mend the tables of known places and of measured positions."};
+}
+
+Result<Reading> gathered(const std::vector<RangeStation>& stations) {
+    if (stations.empty()) {
+        return Error{"There are no stations to judge.",
+                     "Give at least one known place with a measured position."};
+    }
+    const auto count = static_cast<Eigen::Index>(stations.size());
+    Reading reading{Points(3, count), Points(3, count), {}};
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+        const RangeStation& station = stations[i];
+        if (station.readings_in_left_mm.empty()) {
+            return at_station(i, "was not measured");
+        }
+        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+        for (const Eigen::Vector3d& point : station.readings_in_left_mm) {
+            mean += point / static_cast<double>(station.readings_in_left_mm.size());
+        }
+        double squares = 0.0;
+        for (const Eigen::Vector3d& point : station.readings_in_left_mm) {
+            squares += std::pow(point.norm() - mean.norm(), 2);
+        }
+        const double others = static_cast<double>(station.readings_in_left_mm.size()) - 1.0;
+        reading.scatter_mm.push_back(others > 0.0 ? std::sqrt(squares / others) : 0.0);
+        if (!station.known_mm.allFinite() || !mean.allFinite()) {
+            return at_station(i, "has a coordinate that is no number");
+        }
+        if (!(mean.z() > 0.0)) {
+            return at_station(i, "was measured behind the left camera");
+        }
+        const auto column = static_cast<Eigen::Index>(i);
+        reading.known.col(column) = station.known_mm;
+        reading.measured.col(column) = mean;
+    }
+    return reading;
+}
+
+bool spans_a_plane(const Points& points) {
+    const Points centred = points.colwise() - points.rowwise().mean();
+    const Eigen::Vector3d spread = Eigen::JacobiSVD<Points>(centred).singularValues();
+    return points.cols() >= 4 && spread[1] > 1e-3 * spread[0] && spread[0] > 0.0;
+}
+
+// Umeyama (1991): known places laid upon measured ones, with a common scale or without.
+Eigen::Matrix4d known_upon(const Points& known, const Points& measured, bool with_scale) {
+    return Eigen::umeyama(known, measured, with_scale);
+}
+
+Points carried(const Eigen::Matrix4d& T, const Points& points) {
+    return (T.topLeftCorner<3, 3>() * points).colwise() + T.topRightCorner<3, 1>();
+}
+
+RangeErrors errors_of(const Points& known, const Points& measured,
+                      const std::vector<double>& scatter_mm) {
+    RangeErrors errors;
+    const auto count = static_cast<double>(known.cols());
+    for (Eigen::Index i = 0; i < known.cols(); ++i) {
+        StationError one;
+        one.known_in_left_mm = known.col(i);
+        one.measured_in_left_mm = measured.col(i);
+        one.range_error_pct = 100.0 * (measured.col(i).norm() / known.col(i).norm() - 1.0);
+        one.depth_error_pct = 100.0 * (measured(2, i) / known(2, i) - 1.0);
+        one.position_error_mm = (measured.col(i) - known.col(i)).norm();
+        one.scatter_mm = scatter_mm[static_cast<std::size_t>(i)];
+        errors.mean_range_pct += std::abs(one.range_error_pct) / count;
+        errors.mean_depth_pct += std::abs(one.depth_error_pct) / count;
+        errors.mean_position_mm += one.position_error_mm / count;
+        errors.worst_range_pct = std::max(errors.worst_range_pct, std::abs(one.range_error_pct));
+        errors.worst_depth_pct = std::max(errors.worst_depth_pct, std::abs(one.depth_error_pct));
+        errors.worst_position_mm = std::max(errors.worst_position_mm, one.position_error_mm);
+        errors.stations.push_back(one);
+    }
+    return errors;
+}
+
+// The factor that makes the measured ranges fit the known ones, each error counting by its share
+// of the range.
+double best_factor(const Points& known, const Points& measured, bool fit_frame) {
+    if (fit_frame) {
+        return 1.0 /
+               std::cbrt(known_upon(known, measured, true).topLeftCorner<3, 3>().determinant());
+    }
+    const Eigen::RowVectorXd ratio =
+        measured.colwise().norm().cwiseQuotient(known.colwise().norm());
+    return ratio.sum() / ratio.squaredNorm();
+}
+
+}  // namespace
+
+Result<RangeExperiment> judge_ranges(const std::vector<RangeStation>& stations,
+                                     const RangeExperimentOptions& options) {
+    if (!(options.baseline_mm > 0.0) ||
+        (options.true_baseline_mm && !(*options.true_baseline_mm > 0.0))) {
+        return Error{"A baseline is not positive.", "Give the distance of both cameras in mm."};
+    }
+    const auto reading = gathered(stations);
+    if (!reading) {
+        return reading.error();
+    }
+    if (options.fit_frame && !(spans_a_plane(reading->known) && spans_a_plane(reading->measured))) {
+        return Error{"The known places do not fix where their frame lies.",
+                     "Give four or more that are not on one line, or give them in the rig's or the "
+                     "left camera's frame."};
+    }
+    const auto in_left = [&](const Points& measured) -> Points {
+        return options.fit_frame
+                   ? carried(known_upon(reading->known, measured, false), reading->known)
+                   : reading->known;
+    };
+    const Points known_before = in_left(reading->measured);
+    for (Eigen::Index i = 0; i < known_before.cols(); ++i) {
+        if (!(known_before(2, i) > 0.0)) {
+            return at_station(static_cast<std::size_t>(i),
+                              "has a known place that is not before the left camera");
+        }
+    }
+    RangeExperiment result;
+    result.before = errors_of(known_before, reading->measured, reading->scatter_mm);
+    const double factor = options.true_baseline_mm
+                              ? *options.true_baseline_mm / options.baseline_mm
+                              : best_factor(reading->known, reading->measured, options.fit_frame);
+    result.corrected_baseline_mm = factor * options.baseline_mm;
+    const Points corrected = factor * reading->measured;
+    std::vector<double> scatter_mm = reading->scatter_mm;
+    for (double& one : scatter_mm) {
+        one *= factor;
+    }
+    result.after = errors_of(in_left(corrected), corrected, scatter_mm);
+    if (!options.true_baseline_mm && known_before.cols() > 1) {
+        double squares = 0.0;
+        for (const StationError& one : result.after.stations) {
+            squares += std::pow(0.01 * one.range_error_pct, 2);
+        }
+        const auto count = static_cast<double>(known_before.cols());
+        result.corrected_baseline_sigma_mm =
+            result.corrected_baseline_mm * std::sqrt(squares / (count - 1.0) / count);
+    }
+    return result;
+}
+
+}  // namespace kambara

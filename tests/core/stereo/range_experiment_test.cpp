@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/stereo/range_experiment.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+#include "core/geometry/rigid_transform.h"
+
+namespace kambara {
+namespace {
+
+// Seventy-five places of three heights, five depths and five places across, measured `factor` too
+// far away, with noise along the ray.
+std::vector<RangeStation> stations(double factor, double noise_share, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, noise_share);
+    std::vector<RangeStation> all;
+    for (const double y : {-250.0, 0.0, 250.0}) {
+        for (const double z : {1000.0, 1250.0, 1500.0, 1750.0, 2000.0}) {
+            for (const double angle_deg : {-26.0, -13.0, 0.0, 13.0, 26.0}) {
+                const Eigen::Vector3d place(225.0 + z * std::tan(angle_deg * 0.017453292519943295),
+                                            y, z);
+                RangeStation station{place, {}};
+                for (int i = 0; i < 4; ++i) {
+                    station.readings_in_left_mm.push_back(factor * (1.0 + noise(random)) * place);
+                }
+                all.push_back(station);
+            }
+        }
+    }
+    return all;
+}
+
+TEST(RangeExperiment, ABaselineThatIsWrongIsFoundAndTakenOff) {
+    const auto result = judge_ranges(stations(1.15, 0.0, 1), {517.5, std::nullopt, false});
+    ASSERT_TRUE(result) << result.error().text();
+    EXPECT_NEAR(result->before.mean_range_pct, 15.0, 1e-9);
+    EXPECT_NEAR(result->before.worst_depth_pct, 15.0, 1e-9);
+    EXPECT_NEAR(result->corrected_baseline_mm, 450.0, 1e-9);
+    EXPECT_LT(result->after.worst_range_pct, 1e-9);
+    EXPECT_LT(result->after.worst_position_mm, 1e-9);
+}
+
+TEST(RangeExperiment, AMeasuredBaselineIsTakenAsItIs) {
+    const auto result = judge_ranges(stations(1.15, 0.0, 1), {517.5, 455.0, false});
+    ASSERT_TRUE(result) << result.error().text();
+    EXPECT_EQ(result->corrected_baseline_mm, 455.0);
+    EXPECT_EQ(result->corrected_baseline_sigma_mm, 0.0);
+    EXPECT_NEAR(result->after.mean_range_pct, 100.0 * (455.0 / 450.0 - 1.0), 1e-9);
+}
+
+// The deviation told of the found baseline is that of the baselines found over 200 experiments.
+TEST(RangeExperiment, ItsDeviationIsWhatRepetitionShows) {
+    double squares = 0.0;
+    double told = 0.0;
+    const int times = 200;
+    for (unsigned seed = 0; seed < times; ++seed) {
+        const auto result = judge_ranges(stations(1.0, 0.01, seed), {450.0, std::nullopt, false});
+        ASSERT_TRUE(result);
+        squares += std::pow(result->corrected_baseline_mm - 450.0, 2) / times;
+        told += result->corrected_baseline_sigma_mm / times;
+        EXPECT_NEAR(result->before.stations[40].scatter_mm,
+                    0.01 * result->before.stations[40].known_in_left_mm.norm(), 40.0);
+    }
+    EXPECT_NEAR(told / std::sqrt(squares), 1.0, 0.15);
+}
+
+TEST(RangeExperiment, AFrameThatIsNotKnownIsLaidUponTheMeasuredPlaces) {
+    auto all = stations(1.1, 0.0, 1);
+    const RigidTransform T_own_from_left{rotation_about_y(0.4) * rotation_about_x(-0.2),
+                                         {3000.0, -500.0, 200.0}};
+    for (RangeStation& station : all) {
+        station.known_mm = T_own_from_left * station.known_mm;
+    }
+    const auto result = judge_ranges(all, {495.0, std::nullopt, true});
+    ASSERT_TRUE(result) << result.error().text();
+    EXPECT_GT(result->before.worst_position_mm, 10.0);
+    EXPECT_NEAR(result->corrected_baseline_mm, 450.0, 1e-6);
+    EXPECT_LT(result->after.worst_position_mm, 1e-6);
+}
+
+TEST(RangeExperiment, RefusesWhatCannotBeJudged) {
+    const RangeExperimentOptions options{450.0, std::nullopt, false};
+    EXPECT_FALSE(judge_ranges({}, options));
+    EXPECT_FALSE(judge_ranges({{{0.0, 0.0, 1000.0}, {}}}, options));
+    EXPECT_FALSE(judge_ranges({{{0.0, 0.0, NAN}, {{0.0, 0.0, 1000.0}}}}, options));
+    EXPECT_FALSE(judge_ranges({{{0.0, 0.0, -5.0}, {{0.0, 0.0, 1000.0}}}}, options));
+    EXPECT_FALSE(judge_ranges({{{0.0, 0.0, 1000.0}, {{0.0, 0.0, -1.0}}}}, options));
+    EXPECT_FALSE(judge_ranges(stations(1.0, 0.0, 1), {0.0, std::nullopt, false}));
+    std::vector<RangeStation> line;
+    for (const double z : {1000.0, 1100.0, 1200.0, 1300.0, 1400.0}) {
+        line.push_back({{0.0, 0.0, z}, {{0.0, 0.0, z}}});
+    }
+    EXPECT_TRUE(judge_ranges(line, options));
+    EXPECT_FALSE(judge_ranges(line, {450.0, std::nullopt, true}));
+}
+
+}  // namespace
+}  // namespace kambara
