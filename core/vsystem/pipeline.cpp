@@ -27,7 +27,8 @@ Frame prepared(Frame frame, std::optional<TemporalFilter>& filter) {
 
 }  // namespace
 
-Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSystemOptions& options,
+Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head,
+                   std::shared_ptr<VehicleFeed> vehicle, const VisionSystemOptions& options,
                    const Clock& clock, Publish publish, Announce announce)
     : rig_(std::move(rig)),
       options_(options),
@@ -39,6 +40,7 @@ Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSys
                                                           ? HeadWorker::Threading::inline_calls
                                                           : HeadWorker::Threading::own_thread)
                  : nullptr),
+      vehicle_(std::move(vehicle)),
       steering_(options.steering, head ? head->limits() : HeadLimits{}) {
     if (options.temporal) {
         left_filter_.emplace(*options.temporal);
@@ -60,6 +62,11 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     }
     const TargetStates before = targets_.states();
     const std::int64_t started_ns = clock_.now_ns();
+    if (vehicle_) {
+        for (const VehicleMotion& motion : vehicle_->take(images_.stereo.left.time_ns)) {
+            targets_.add_vehicle_motion(motion);
+        }
+    }
     targets_.process(remembered_.back());
     steer();
     const std::int64_t now_ns = clock_.now_ns();
@@ -344,6 +351,14 @@ Result<Reply> Pipeline::steer_head(const SteerHead& command) {
     }
     steering_.set_automatic(command.automatic);
     publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::tell_vehicle_motion(const TellVehicleMotion& command) {
+    if (!command.motion.velocity_mm_s.allFinite() || !command.motion.turn_rad_s.allFinite()) {
+        return Error{"The vehicle's motion is no number.", "Check what sends it."};
+    }
+    targets_.add_vehicle_motion(command.motion);
     return Reply(Done{});
 }
 
