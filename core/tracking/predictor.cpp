@@ -17,8 +17,7 @@ constexpr double acceleration_fades_s = 0.5;
 constexpr double first_velocity_sigma_mm_s = 1000.0;
 constexpr double least_sigma_mm = 0.05;  // no measurement is better
 constexpr double newest_share = 0.1;     // in what is said of late
-constexpr double most_widening = 1e4;
-constexpr double better_by = 0.5;  // another model must be, to be taken
+constexpr double better_by = 0.5;        // another model must be, to be taken
 // A mean of about 2 / newest_share - 1 squares of three dimensions, 95 %.
 constexpr double mean_gate = 4.0;
 
@@ -93,7 +92,7 @@ void Predictor::advance(Filter& filter, double step_s, const RigChange* change) 
         change->way_sigma_mm * change->way_sigma_mm * I;
 }
 
-void Predictor::correct(Filter& filter, const Eigen::Vector3d& point_mm,
+void Predictor::correct(Filter& filter, double step_s, const Eigen::Vector3d& point_mm,
                         const Eigen::Matrix3d& covariance_mm2) {
     const Eigen::Vector3d innovation = point_mm - filter.state.head<3>();
     Eigen::Matrix3d S = filter.covariance.topLeftCorner<3, 3>() + covariance_mm2;
@@ -103,7 +102,11 @@ void Predictor::correct(Filter& filter, const Eigen::Vector3d& point_mm,
     filter.unlikeliness +=
         newest_share * (squared + std::log(S.determinant()) - filter.unlikeliness);
     if (squared > innovation_gate) {
-        filter.covariance *= std::min(squared / innovation_gate, most_widening);
+        // As if its velocity had changed at a stroke since the last measurement.
+        Eigen::Matrix<double, 9, 3> jump = Eigen::Matrix<double, 9, 3>::Zero();
+        jump.topRows<3>() = Eigen::Matrix3d::Identity();
+        jump.middleRows<3>(3) = Eigen::Matrix3d::Identity() / step_s;
+        filter.covariance += innovation.squaredNorm() / 3.0 * jump * jump.transpose();
         S = filter.covariance.topLeftCorner<3, 3>() + covariance_mm2;
     }
     const Eigen::Matrix<double, 9, 3> gain =
@@ -137,7 +140,7 @@ void Predictor::update(std::int64_t time_ns, const Eigen::Vector3d& point_mm,
     } else {
         for (Filter& filter : filters_) {
             advance(filter, step_s, change ? &*change : nullptr);
-            correct(filter, point_mm, noise);
+            correct(filter, step_s, point_mm, noise);
         }
         const double gain = filters_[0].unlikeliness - filters_[1].unlikeliness;
         if (std::abs(gain) > better_by) {

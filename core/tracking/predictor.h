@@ -74,7 +74,7 @@ class Predictor {
     static void begin(Filter& filter, const Eigen::Vector3d& point_mm,
                       const Eigen::Matrix3d& covariance_mm2);
     static void advance(Filter& filter, double step_s, const RigChange* change);
-    static void correct(Filter& filter, const Eigen::Vector3d& point_mm,
+    static void correct(Filter& filter, double step_s, const Eigen::Vector3d& point_mm,
                         const Eigen::Matrix3d& covariance_mm2);
     const Filter& chosen() const { return filters_[use_acceleration_ ? 1 : 0]; }
     std::optional<RigChange> change_until(std::int64_t time_ns) const;
