@@ -302,6 +302,12 @@ Eigen::Matrix3d StereoTracker::covariance_in_rig_mm2(const TargetMeasurement& me
            range_share_unknown * range_share_unknown * ray * ray.transpose();
 }
 
+std::optional<Eigen::Vector3d> StereoTracker::expected_in_left_mm(std::int64_t time_ns) const {
+    const auto in_rig_mm = predictor_.at(time_ns);
+    return in_rig_mm ? std::optional<Eigen::Vector3d>(rig_.left.T_camera_from_rig * *in_rig_mm)
+                     : std::nullopt;
+}
+
 std::optional<MotionEstimate> StereoTracker::motion_in_left() const {
     auto motion = predictor_.motion();
     if (motion) {

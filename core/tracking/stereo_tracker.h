@@ -88,6 +88,9 @@ class StereoTracker {
     /// Takes the next pair. Only while started does it search.
     TrackEstimate process(const StereoFrame& frame);
 
+    /// Where the target will be, in the left camera's frame; empty while nothing is known of it.
+    std::optional<Eigen::Vector3d> expected_in_left_mm(std::int64_t time_ns) const;
+
     const TrackEstimate& estimate() const { return estimate_; }
     bool started() const { return started_; }
 

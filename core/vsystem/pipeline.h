@@ -24,7 +24,8 @@ class Pipeline {
     using Announce = std::function<void(Event)>;
 
     Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, std::shared_ptr<VehicleFeed> vehicle,
-             const VisionSystemOptions& options, const Clock& clock, Publish publish, Announce announce);
+             const VisionSystemOptions& options, const Clock& clock, Publish publish,
+             Announce announce);
 
     /// Tracks, positions, steers and publishes a snapshot.
     void process(ImageSet images, std::uint64_t frames_lost);
@@ -55,7 +56,8 @@ class Pipeline {
 
   private:
     const StereoFrame* remembered(std::int64_t frame) const;
-    std::optional<Position> position_to_steer_to() const;
+    const StereoTracker* steered_tracker() const;
+    std::optional<HeadAim> aim_at(const StereoTracker& tracker) const;
     void steer();
     void publish();
     void announce(Event::Kind kind, std::string text);

@@ -21,7 +21,7 @@ struct VisionSystemParts {
     Grabbers grabbers;
     std::shared_ptr<PanTiltCamera> head;  ///< null where there is none
     /// The vehicle's state estimator; null where there is none, or where it comes as commands.
-    std::shared_ptr<VehicleFeed> vehicle;
+    std::shared_ptr<VehicleFeed> vehicle = nullptr;
 };
 
 struct VisionSystemOptions {

@@ -39,7 +39,7 @@ const std::vector<Command> all_commands{
 };
 
 TEST(Serialise, EveryCommandComesBackAsItWas) {
-    ASSERT_EQ(std::variant_size_v<Command>, 14U) << "add the new command to the list above";
+    ASSERT_EQ(std::variant_size_v<Command>, 15U) << "add the new command to the list above";
     for (const Command& command : all_commands) {
         const auto back = command_from_json(to_json(command));
         ASSERT_TRUE(back) << back.error().text();
