@@ -14,6 +14,7 @@ namespace kambara {
 namespace {
 
 constexpr std::size_t pairs_remembered = 30;
+constexpr std::int64_t tell_again_ns = 500'000'000;
 constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr double shortest_rate_span_s = 0.2;  // less says nothing about a rate
 
@@ -337,6 +338,12 @@ void Pipeline::steer() {
         aim->angles = *command;
         head_->follow(*aim);
         commanded_ = command;
+        followed_ns_ = aim->computed_ns;
+    } else if (!options_.every_frame && steering_.automatic() && commanded_ &&
+               aim->computed_ns - followed_ns_ > tell_again_ns) {
+        // An aim that became old on its way was dropped by the head's driver.
+        head_->follow({*commanded_, {}, aim->computed_ns, aim->computed_ns});
+        followed_ns_ = aim->computed_ns;
     }
 }
 

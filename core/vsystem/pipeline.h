@@ -76,6 +76,7 @@ class Pipeline {
     std::shared_ptr<VehicleFeed> vehicle_;
     Steering steering_;
     std::optional<HeadAngles> commanded_;
+    std::int64_t followed_ns_ = 0;  // when the head was last told by steering
     ImageSet images_;
     std::optional<TemporalFilter> left_filter_;
     std::optional<TemporalFilter> right_filter_;
