@@ -37,8 +37,9 @@ double tracked_share(const std::string& profile) {
 }
 
 // Sixty pixels a frame at 30 frames a second: 270 degrees a second. The target even leaves the
-// picture at the end of each swing, for a fifth of the time.
-TEST(VehicleSteeringSlow, ATurningVehicleLosesItsTargetWithoutTheFeedAlone) {
+// picture at the end of each swing, for a fifth of the time. Without the feed the wide search copes
+// with this scene as well: that share is printed for comparison and nothing is asked of it.
+TEST(VehicleSteeringSlow, ATurningVehiclesTargetIsFollowedWithAFeedThatIsNoisyAndLate) {
     for (const int seed : {1, 3}) {
         const std::string profile =
             "default?frames=90&turn=270&swing=1&seed=" + std::to_string(seed);
@@ -51,7 +52,6 @@ TEST(VehicleSteeringSlow, ATurningVehicleLosesItsTargetWithoutTheFeedAlone) {
             seed, 100.0 * with, 100.0 * late, 100.0 * without);
         EXPECT_GE(with, 0.78);
         EXPECT_GE(late, 0.7);
-        EXPECT_LE(without, 0.5);
     }
 }
 
