@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <numbers>
 
 namespace kambara {
@@ -18,6 +19,27 @@ struct HeadAngles {
     double pan_rad = 0.0;
     double tilt_rad = 0.0;
     bool operator==(const HeadAngles&) const = default;
+};
+
+/// Where a head is to look while it follows something that moves: `angles` at `time_ns`, going on
+/// at the rate. Times on the system's clock.
+struct HeadAim {
+    HeadAngles angles;
+    HeadAngles rate_rad_s;
+    std::int64_t time_ns = 0;
+    std::int64_t computed_ns = 0;  ///< when it was found out; it is worth nothing for long
+
+    /// The rate goes on for a tenth of a second at most.
+    HeadAngles at(std::int64_t when_ns) const {
+        constexpr std::int64_t farthest_ns = 100'000'000;
+        const std::int64_t off_ns = when_ns - time_ns;
+        const double ahead_s = 1e-9 * static_cast<double>(off_ns > farthest_ns    ? farthest_ns
+                                                          : off_ns < -farthest_ns ? -farthest_ns
+                                                                                  : off_ns);
+        return {angles.pan_rad + ahead_s * rate_rad_s.pan_rad,
+                angles.tilt_rad + ahead_s * rate_rad_s.tilt_rad};
+    }
+    bool operator==(const HeadAim&) const = default;
 };
 
 /// How far and how fast a head can turn; symmetric about home.

@@ -50,7 +50,15 @@ class PanTiltCamera {
     /// doing.
     virtual Result<Done> move_to(const HeadAngles& angles) = 0;
 
-    /// The same by an operator's hand: it comes before what steering asked for and did not yet get.
+    /// Steering's way to move a head that follows something: a head that knows its own delays looks
+    /// where the target will be when it gets there, and drops an aim that has become old before it
+    /// could be told.
+    virtual Result<Done> follow(const HeadAim& aim) { return move_to(aim.angles); }
+    /// From a call of `follow` to the head's being where it was told, beside the way itself.
+    virtual double lag_s() const { return 0.0; }
+
+    /// The same as move_to by an operator's hand: it comes before what steering asked for and did
+    /// not yet get.
     virtual Result<Done> move_by_hand(const HeadAngles& angles) { return move_to(angles); }
 
     /// Stops where it is.

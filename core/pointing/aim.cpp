@@ -68,6 +68,26 @@ double aiming_error_rad(const Rig& rig, const HeadAngles& angles,
     return std::atan2(axis.cross(wanted).norm(), axis.dot(wanted));
 }
 
+std::optional<HeadAim> led_aim(const Rig& rig, const ExpectedPlace& expected,
+                               std::int64_t pictured_ns, std::int64_t now_ns, double lead_s) {
+    constexpr std::int64_t apart_ns = 20'000'000;
+    constexpr double apart_s = 1e-9 * static_cast<double>(apart_ns);
+    const auto lead_ns = static_cast<std::int64_t>(std::llround(lead_s * 1e9));
+    const auto place = expected(pictured_ns + lead_ns);
+    const auto later = expected(pictured_ns + lead_ns + apart_ns);
+    if (!place || !later) {
+        return std::nullopt;
+    }
+    HeadAim aim;
+    aim.angles = angles_towards(rig, *place);
+    const HeadAngles then = angles_towards(rig, *later);
+    aim.rate_rad_s = {(then.pan_rad - aim.angles.pan_rad) / apart_s,
+                      (then.tilt_rad - aim.angles.tilt_rad) / apart_s};
+    aim.time_ns = now_ns + lead_ns;
+    aim.computed_ns = now_ns;
+    return aim;
+}
+
 HeadAngles within_limits(const HeadAngles& angles, const HeadLimits& limits) {
     return {std::clamp(angles.pan_rad, -limits.pan_rad, limits.pan_rad),
             std::clamp(angles.tilt_rad, -limits.tilt_rad, limits.tilt_rad)};

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <optional>
 
 #include "core/base/angles.h"
 #include "core/camera/rig.h"
@@ -24,6 +27,15 @@ Eigen::Vector3d axis_in_left_frame(const Rig& rig, const HeadAngles& angles);
 /// The angle between the optical axis at `angles` and the direction to the point.
 double aiming_error_rad(const Rig& rig, const HeadAngles& angles,
                         const Eigen::Vector3d& point_in_left_mm);
+
+/// Where something that moves is expected at a time, in the left camera's frame; empty where that
+/// is not known.
+using ExpectedPlace = std::function<std::optional<Eigen::Vector3d>(std::int64_t time_ns)>;
+
+/// The aim at it for a picture's time `pictured_ns`, which is `now_ns` on the system's clock, led
+/// by `lead_s`. Computed now. Empty where the place is not known.
+std::optional<HeadAim> led_aim(const Rig& rig, const ExpectedPlace& expected,
+                               std::int64_t pictured_ns, std::int64_t now_ns, double lead_s);
 
 /// The nearest angles that the head can reach; the same angles where it reaches them, so that a
 /// comparison tells whether they were beyond the limits.

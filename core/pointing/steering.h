@@ -14,6 +14,11 @@ struct SteeringOptions {
     /// Commands follow each other no faster than this, so that a slow line to the head does not
     /// fill up; 0 for as often as asked.
     double min_interval_s = 0.0;
+    /// The aim is led to where the target will be when the head gets there.
+    bool leads = true;
+    /// From a picture's exposure to its arrival, of live cameras; what they declare or one
+    /// measured.
+    double camera_latency_s = 0.0;
 };
 
 /// Decides when a head is told to move, and where to. Keeps within the limits always. Automatic

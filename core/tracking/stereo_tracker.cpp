@@ -17,6 +17,7 @@ constexpr double surprise_kept = 0.8;   // from one pair to the next
 constexpr double surprise_grows = 1.5;  // likewise, while it is not seen
 constexpr double reach_by_surprise = 2.0;
 constexpr double least_reach_px = 4.0;
+constexpr double range_share_unknown = 0.05;  // of a distance that only the last ones tell
 
 double quality_of(const std::optional<TargetMeasurement>& measured) {
     return measured && !measured->ambiguous ? measured->quality : 0.0;
@@ -32,6 +33,7 @@ void TrackEstimate::forget_place() {
     left_px.reset();
     right_px.reset();
     position.reset();
+    motion.reset();
     search.reset();
     quality = 0.0;
 }
@@ -274,10 +276,49 @@ void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& 
     if (measured.position && !range_known_) {
         predictor_.reset();  // what it has seen so far lay at an assumed distance
     }
-    predictor_.update(frame.left.time_ns, measured.point_in_rig_mm);
+    predictor_.update(frame.left.time_ns, measured.point_in_rig_mm,
+                      covariance_in_rig_mm2(measured));
+    estimate_.motion = motion_in_left();
     if (measured.position && !range_known_ && measured.quality >= options_.good_quality) {
         anchor(measured.point_in_rig_mm);
     }
+}
+
+// Without a position, the left pixel's alone: across the ray known, along it hardly.
+Eigen::Matrix3d StereoTracker::covariance_in_rig_mm2(const TargetMeasurement& measured) const {
+    const Eigen::Matrix3d& R = rig_.left.T_camera_from_rig.R;
+    if (measured.position) {
+        return R.transpose() * measured.position->covariance_mm2 * R;
+    }
+    const Eigen::Vector3d& point = measured.point_in_rig_mm;
+    const Eigen::Vector3d ray = point - rig_.left.T_camera_from_rig.centre_mm();
+    Eigen::Matrix<double, 2, 3> pixel_by_point;
+    double across_mm = least_reach_px;
+    if (rig_.left.project(point, pixel_by_point)) {
+        const double px_by_mm = pixel_by_point.norm() / std::sqrt(2.0);
+        across_mm = std::sqrt(measured.left.covariance_px2.trace()) / px_by_mm;
+    }
+    return across_mm * across_mm * Eigen::Matrix3d::Identity() +
+           range_share_unknown * range_share_unknown * ray * ray.transpose();
+}
+
+std::optional<Eigen::Vector3d> StereoTracker::expected_in_left_mm(std::int64_t time_ns) const {
+    const auto in_rig_mm = predictor_.at(time_ns);
+    return in_rig_mm ? std::optional<Eigen::Vector3d>(rig_.left.T_camera_from_rig * *in_rig_mm)
+                     : std::nullopt;
+}
+
+std::optional<MotionEstimate> StereoTracker::motion_in_left() const {
+    auto motion = predictor_.motion();
+    if (motion) {
+        const RigidTransform& T_left_from_rig = rig_.left.T_camera_from_rig;
+        motion->point_mm = T_left_from_rig * motion->point_mm;
+        motion->velocity_mm_s = T_left_from_rig.R * motion->velocity_mm_s;
+        motion->acceleration_mm_s2 = T_left_from_rig.R * motion->acceleration_mm_s2;
+        motion->velocity_covariance_mm2_s2 =
+            T_left_from_rig.R * motion->velocity_covariance_mm2_s2 * T_left_from_rig.R.transpose();
+    }
+    return motion;
 }
 
 // From the first position on, the template's own distance is known and its size can be followed.

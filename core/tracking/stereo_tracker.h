@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/result.h"
 #include "core/camera/rig.h"
@@ -29,6 +30,8 @@ struct TrackEstimate {
     std::optional<Eigen::Vector2d> right_px;  ///< likewise
     double quality = 0.0;                     ///< in [0, 1]: the weaker of both pictures'
     std::optional<Position> position;
+    /// What the predictor made of it, in the left camera's frame; empty until it knows a velocity.
+    std::optional<MotionEstimate> motion;
     Eigen::Vector2i template_size_px = Eigen::Vector2i::Zero();
     double scale = 1.0;     ///< of the target in the left picture, against when it was chosen
     double turn_rad = 0.0;  ///< likewise, from the picture's x towards its y
@@ -77,8 +80,16 @@ class StereoTracker {
     /// Nothing seen so far says where the target is now: it is looked for everywhere.
     void forget_motion();
 
+    /// The vehicle's motion, which moves the expected place. It may grow between two pairs.
+    void follow_vehicle(std::shared_ptr<const VehicleTrack> vehicle) {
+        predictor_.follow_vehicle(std::move(vehicle));
+    }
+
     /// Takes the next pair. Only while started does it search.
     TrackEstimate process(const StereoFrame& frame);
+
+    /// Where the target will be, in the left camera's frame; empty while nothing is known of it.
+    std::optional<Eigen::Vector3d> expected_in_left_mm(std::int64_t time_ns) const;
 
     const TrackEstimate& estimate() const { return estimate_; }
     bool started() const { return started_; }
@@ -89,6 +100,8 @@ class StereoTracker {
     std::optional<TargetMeasurement> measure(const StereoFrame& frame, const SearchScope& scope);
     Eigen::Vector3d expected_place(std::int64_t time_ns) const;
     double reach_px(std::int64_t time_ns) const;
+    Eigen::Matrix3d covariance_in_rig_mm2(const TargetMeasurement& measured) const;
+    std::optional<MotionEstimate> motion_in_left() const;
     void adopt(const TargetMeasurement& measured, const StereoFrame& frame);
     void note_surprise(const TargetMeasurement& measured, const Eigen::Vector3d& expected);
     void grow_surprise();

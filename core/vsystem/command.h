@@ -9,6 +9,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/result.h"
+#include "core/base/vehicle_motion.h"
 #include "core/image/rectangle.h"
 
 namespace kambara {
@@ -101,9 +102,16 @@ struct HoldFrame {
     bool operator==(const HoldFrame&) const = default;
 };
 
+/// How the vehicle moved, from its state estimator: what is followed is expected to have moved
+/// accordingly. As often as it is known, and in the order of its times.
+struct TellVehicleMotion {
+    VehicleMotion motion;
+    bool operator==(const TellVehicleMotion&) const = default;
+};
+
 using Command = std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate,
                              ClearTemplate, SteerTo, MoveHead, HaltHead, SteerHead, CaptureView,
-                             Calibrate, Flow, Seek, HoldFrame>;
+                             Calibrate, Flow, Seek, HoldFrame, TellVehicleMotion>;
 
 /// What a calibration came to.
 struct CalibrationOutcome {

@@ -22,13 +22,21 @@ HeadWorker::HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading)
 HeadWorker::~HeadWorker() = default;
 
 void HeadWorker::command(const HeadAngles& angles, bool by_hand) {
+    put({angles, by_hand});
+}
+
+void HeadWorker::follow(const HeadAim& aim) {
+    put({aim.angles, false, aim});
+}
+
+void HeadWorker::put(const Wish& wish) {
     if (threading_ == Threading::inline_calls) {
-        move({angles, by_hand});
+        move(wish);
         return;
     }
     {
         std::lock_guard lock(mutex_);
-        waiting_ = Wish{angles, by_hand};
+        waiting_ = wish;
     }
     commanded_.notify_one();
 }
@@ -81,8 +89,9 @@ void HeadWorker::run(std::stop_token stop) {
 }
 
 void HeadWorker::move(const Wish& wish) {
-    const auto moved =
-        wish.by_hand ? head_->move_by_hand(wish.angles) : head_->move_to(wish.angles);
+    const auto moved = wish.aim       ? head_->follow(*wish.aim)
+                       : wish.by_hand ? head_->move_by_hand(wish.angles)
+                                      : head_->move_to(wish.angles);
     std::lock_guard lock(mutex_);
     move_fault_ = moved ? std::string() : moved.error().text();
 }

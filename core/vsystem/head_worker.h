@@ -34,6 +34,10 @@ class HeadWorker {
     HeadLimits limits() const { return limits_; }
     /// `by_hand`: an operator's wish, not steering's.
     void command(const HeadAngles& angles, bool by_hand = false);
+    /// Steering's.
+    void follow(const HeadAim& aim);
+    /// As the head says (PanTiltCamera).
+    double lag_s() const { return head_->lag_s(); }
     /// Stops the head; angles that still wait are dropped.
     void halt();
     Reading reading();
@@ -47,7 +51,9 @@ class HeadWorker {
     struct Wish {
         HeadAngles angles;
         bool by_hand = false;
+        std::optional<HeadAim> aim = std::nullopt;
     };
+    void put(const Wish& wish);
     void move(const Wish& wish);
     void stop_moving();
     void poll();

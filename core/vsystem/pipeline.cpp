@@ -2,6 +2,7 @@
 #include "core/vsystem/pipeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -13,6 +14,7 @@ namespace kambara {
 namespace {
 
 constexpr std::size_t pairs_remembered = 30;
+constexpr std::int64_t tell_again_ns = 500'000'000;
 constexpr std::int64_t second_ns = 1'000'000'000;
 constexpr double shortest_rate_span_s = 0.2;  // less says nothing about a rate
 
@@ -27,7 +29,8 @@ Frame prepared(Frame frame, std::optional<TemporalFilter>& filter) {
 
 }  // namespace
 
-Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSystemOptions& options,
+Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head,
+                   std::shared_ptr<VehicleFeed> vehicle, const VisionSystemOptions& options,
                    const Clock& clock, Publish publish, Announce announce)
     : rig_(std::move(rig)),
       options_(options),
@@ -39,6 +42,7 @@ Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSys
                                                           ? HeadWorker::Threading::inline_calls
                                                           : HeadWorker::Threading::own_thread)
                  : nullptr),
+      vehicle_(std::move(vehicle)),
       steering_(options.steering, head ? head->limits() : HeadLimits{}) {
     if (options.temporal) {
         left_filter_.emplace(*options.temporal);
@@ -60,6 +64,11 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     }
     const TargetStates before = targets_.states();
     const std::int64_t started_ns = clock_.now_ns();
+    if (vehicle_) {
+        for (const VehicleMotion& motion : vehicle_->take(images_.stereo.left.time_ns)) {
+            targets_.add_vehicle_motion(motion);
+        }
+    }
     targets_.process(remembered_.back());
     steer();
     const std::int64_t now_ns = clock_.now_ns();
@@ -279,27 +288,62 @@ Result<Reply> Pipeline::steer_to(const SteerTo& command) {
     return finish(done, before);
 }
 
-std::optional<Position> Pipeline::position_to_steer_to() const {
+// Of the target that the head is to look at; null while it is not seen for sure.
+const StereoTracker* Pipeline::steered_tracker() const {
     const FollowedTarget* target = targets_.steered();
     const bool seen_now = target != nullptr && target->tracker.started() && !silent_ &&
                           target->tracker.estimate().frame == images_.stereo.left.index;
-    return seen_now ? target->tracker.estimate().position : std::nullopt;
+    const bool sure = seen_now && target->tracker.estimate().state == TrackState::tracking &&
+                      target->tracker.estimate().position;
+    return sure ? &target->tracker : nullptr;
+}
+
+// Led from the picture's exposure to the moment when the head is there. In step with a recording,
+// the head is told at the picture's time.
+std::optional<HeadAim> Pipeline::aim_at(const StereoTracker& tracker) const {
+    const std::int64_t now_ns = clock_.now_ns();
+    double age_s = options_.steering.camera_latency_s;
+    if (images_.arrived_ns > 0) {
+        age_s += static_cast<double>(now_ns - images_.arrived_ns) * 1e-9;
+    }
+    const bool leads =
+        options_.steering.leads && tracker.estimate().motion && !options_.every_frame;
+    if (!leads) {
+        const auto& position = tracker.estimate().position;
+        return HeadAim{angles_towards(rig_, position->point_in_left_mm), {}, now_ns, now_ns};
+    }
+    const std::int64_t pictured_ns =
+        images_.stereo.left.time_ns + static_cast<std::int64_t>(std::llround(age_s * 1e9));
+    return led_aim(
+        rig_, [&](std::int64_t time_ns) { return tracker.expected_in_left_mm(time_ns); },
+        pictured_ns, now_ns, head_->lag_s());
 }
 
 void Pipeline::steer() {
-    const auto position = position_to_steer_to();
-    if (!position || !rig_.pan_tilt) {
+    const StereoTracker* target = steered_tracker();
+    if (target == nullptr || !rig_.pan_tilt) {
         steering_.nothing_wanted();
     }
-    if (!head_ || !position || !rig_.pan_tilt) {
+    if (!head_ || target == nullptr || !rig_.pan_tilt) {
+        return;
+    }
+    auto aim = aim_at(*target);
+    if (!aim) {
         return;
     }
     // A command that the head did not take is given again.
     const auto last = head_->move_failed() ? std::nullopt : commanded_;
-    const HeadAngles wanted = angles_towards(rig_, position->point_in_left_mm);
-    if (const auto command = steering_.command_for(wanted, last, images_.stereo.left.time_ns)) {
-        head_->command(*command);
+    if (const auto command =
+            steering_.command_for(aim->angles, last, images_.stereo.left.time_ns)) {
+        aim->angles = *command;
+        head_->follow(*aim);
         commanded_ = command;
+        followed_ns_ = aim->computed_ns;
+    } else if (!options_.every_frame && steering_.automatic() && commanded_ &&
+               aim->computed_ns - followed_ns_ > tell_again_ns) {
+        // An aim that became old on its way was dropped by the head's driver.
+        head_->follow({*commanded_, {}, aim->computed_ns, aim->computed_ns});
+        followed_ns_ = aim->computed_ns;
     }
 }
 
@@ -344,6 +388,14 @@ Result<Reply> Pipeline::steer_head(const SteerHead& command) {
     }
     steering_.set_automatic(command.automatic);
     publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::tell_vehicle_motion(const TellVehicleMotion& command) {
+    if (!command.motion.velocity_mm_s.allFinite() || !command.motion.turn_rad_s.allFinite()) {
+        return Error{"The vehicle's motion is no number.", "Check what sends it."};
+    }
+    targets_.add_vehicle_motion(command.motion);
     return Reply(Done{});
 }
 

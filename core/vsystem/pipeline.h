@@ -23,8 +23,9 @@ class Pipeline {
     using Publish = std::function<void(SnapshotPtr)>;
     using Announce = std::function<void(Event)>;
 
-    Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, const VisionSystemOptions& options,
-             const Clock& clock, Publish publish, Announce announce);
+    Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, std::shared_ptr<VehicleFeed> vehicle,
+             const VisionSystemOptions& options, const Clock& clock, Publish publish,
+             Announce announce);
 
     /// Tracks, positions, steers and publishes a snapshot.
     void process(ImageSet images, std::uint64_t frames_lost);
@@ -39,6 +40,7 @@ class Pipeline {
     Result<Reply> halt_head();
     Result<Reply> hold(const HoldFrame& command);
     Result<Reply> steer_head(const SteerHead& command);
+    Result<Reply> tell_vehicle_motion(const TellVehicleMotion& command);
     /// Takes a new calibration: forgets the template, which belongs to the old one.
     void use_rig(const Rig& rig);
     /// The source goes on with another frame: nothing seen before it says where the target is.
@@ -54,7 +56,8 @@ class Pipeline {
 
   private:
     const StereoFrame* remembered(std::int64_t frame) const;
-    std::optional<Position> position_to_steer_to() const;
+    const StereoTracker* steered_tracker() const;
+    std::optional<HeadAim> aim_at(const StereoTracker& tracker) const;
     void steer();
     void publish();
     void announce(Event::Kind kind, std::string text);
@@ -70,8 +73,10 @@ class Pipeline {
     Announce announce_;
     TargetSet targets_;
     std::unique_ptr<HeadWorker> head_;
+    std::shared_ptr<VehicleFeed> vehicle_;
     Steering steering_;
     std::optional<HeadAngles> commanded_;
+    std::int64_t followed_ns_ = 0;  // when the head was last told by steering
     ImageSet images_;
     std::optional<TemporalFilter> left_filter_;
     std::optional<TemporalFilter> right_filter_;

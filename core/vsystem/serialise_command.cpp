@@ -64,6 +64,15 @@ Json fields_of(const Flow& c) {
     return {{"command", "flow"}, {"kind", kinds[static_cast<int>(c.kind)]}};
 }
 
+Json fields_of(const TellVehicleMotion& c) {
+    return {{"command", "tell_vehicle_motion"},
+            {"time_ns", c.motion.time_ns},
+            {"velocity_mm_s", from_vector<3>(c.motion.velocity_mm_s)},
+            {"turn_rad_s", from_vector<3>(c.motion.turn_rad_s)},
+            {"velocity_sigma_mm_s", c.motion.velocity_sigma_mm_s},
+            {"turn_sigma_rad_s", c.motion.turn_sigma_rad_s}};
+}
+
 Rectangle read_rectangle(const Json& json) {
     const Json& list = field(json, "rectangle_px");
     if (!list.is_array() || list.size() != 4) {
@@ -134,6 +143,15 @@ Command read_command(const Json& json) {
     }
     if (name == "flow") {
         return read_flow(json);
+    }
+    if (name == "tell_vehicle_motion") {
+        VehicleMotion motion;
+        motion.time_ns = get<std::int64_t>(json, "time_ns");
+        motion.velocity_mm_s = get_vector<3>(json, "velocity_mm_s");
+        motion.turn_rad_s = get_vector<3>(json, "turn_rad_s");
+        motion.velocity_sigma_mm_s = get<double>(json, "velocity_sigma_mm_s");
+        motion.turn_sigma_rad_s = get<double>(json, "turn_sigma_rad_s");
+        return TellVehicleMotion{motion};
     }
     throw Fault{"there is no command \"" + name + "\""};
 }

@@ -11,6 +11,7 @@ namespace {
 using namespace json_fields;
 
 constexpr const char* run_names[] = {"paused", "running", "ended", "failed"};
+constexpr const char* model_names[] = {"constant_velocity", "constant_acceleration"};
 constexpr const char* event_names[] = {"note", "warning", "fault"};
 
 template <class Enum, std::size_t N>
@@ -44,6 +45,34 @@ Position read_position(const Json& json) {
     return p;
 }
 
+Json json_of(const MotionEstimate& m) {
+    const Eigen::Matrix3d& c = m.velocity_covariance_mm2_s2;
+    Eigen::Matrix<double, 6, 1> upper;
+    upper << c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2);
+    return {{"smoothed_in_left_mm", from_vector<3>(m.point_mm)},
+            {"velocity_mm_s", from_vector<3>(m.velocity_mm_s)},
+            {"velocity_covariance_mm2_s2", from_vector<6>(upper)},
+            {"acceleration_mm_s2", from_vector<3>(m.acceleration_mm_s2)},
+            {"model", model_names[static_cast<int>(m.model)]},
+            {"innovation", m.innovation},
+            {"consistent", m.consistent},
+            {"by_vehicle", m.by_vehicle}};
+}
+
+MotionEstimate read_motion(const Json& json) {
+    MotionEstimate m;
+    m.point_mm = get_vector<3>(json, "smoothed_in_left_mm");
+    m.velocity_mm_s = get_vector<3>(json, "velocity_mm_s");
+    const auto c = get_vector<6>(json, "velocity_covariance_mm2_s2");
+    m.velocity_covariance_mm2_s2 << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+    m.acceleration_mm_s2 = get_vector<3>(json, "acceleration_mm_s2");
+    m.model = read_name<MotionModel>(json, "model", model_names);
+    m.innovation = get<double>(json, "innovation");
+    m.consistent = get<bool>(json, "consistent");
+    m.by_vehicle = get<bool>(json, "by_vehicle");
+    return m;
+}
+
 Json json_of(const TrackSnapshot& track) {
     const TrackEstimate& e = track.estimate;
     Json json{{"id", track.id},
@@ -60,6 +89,9 @@ Json json_of(const TrackSnapshot& track) {
     }
     if (e.position) {
         json["position"] = json_of(*e.position);
+    }
+    if (e.motion) {
+        json["motion"] = json_of(*e.motion);
     }
     return json;
 }
@@ -88,6 +120,9 @@ TrackSnapshot read_track(const Json& json) {
     }
     if (json.contains("position")) {
         track.estimate.position = read_position(json.at("position"));
+    }
+    if (json.contains("motion")) {
+        track.estimate.motion = read_motion(json.at("motion"));
     }
     return track;
 }

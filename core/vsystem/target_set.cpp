@@ -86,6 +86,7 @@ Result<Done> TargetSet::set_template(std::optional<int> id, const StereoFrame& p
     if (auto done = target.tracker.set_template(pair, rectangle); !done) {
         return done;
     }
+    target.tracker.follow_vehicle(vehicle_);
     target.template_frame = pair.left.index;
     if (known == nullptr) {
         const auto place = std::find_if(targets_.begin(), targets_.end(),
@@ -162,6 +163,7 @@ void TargetSet::process(const StereoFrame& pair) {
 }
 
 void TargetSet::wound() {
+    vehicle_->clear();
     for (FollowedTarget& target : targets_) {
         target.tracker.stop();
         target.tracker.forget_motion();

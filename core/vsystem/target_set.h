@@ -56,6 +56,8 @@ class TargetSet {
     Result<Done> update_template(std::optional<int> id);
     Result<Done> steer_to(int id);
 
+    /// How the vehicle moves, which moves what is followed.
+    void add_vehicle_motion(const VehicleMotion& motion) { vehicle_->add(motion); }
     void process(const StereoFrame& pair);
     /// Stops all: no pair seen so far says where they are.
     void wound();
@@ -69,6 +71,7 @@ class TargetSet {
     Rig rig_;
     TrackerOptions options_;
     std::shared_ptr<TransformCache> transforms_ = std::make_shared<TransformCache>();
+    std::shared_ptr<VehicleTrack> vehicle_ = std::make_shared<VehicleTrack>();
     std::vector<FollowedTarget> targets_;
     int steered_ = 1;
     WorkerPool workers_;

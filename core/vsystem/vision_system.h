@@ -7,6 +7,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/devices/pan_tilt_camera.h"
+#include "core/devices/vehicle_feed.h"
 #include "core/matching/temporal_filter.h"
 #include "core/pointing/steering.h"
 #include "core/vsystem/frame_source.h"
@@ -19,6 +20,8 @@ struct VisionSystemParts {
     Rig rig;
     Grabbers grabbers;
     std::shared_ptr<PanTiltCamera> head;  ///< null where there is none
+    /// The vehicle's state estimator; null where there is none, or where it comes as commands.
+    std::shared_ptr<VehicleFeed> vehicle = nullptr;
 };
 
 struct VisionSystemOptions {

@@ -20,6 +20,10 @@ constexpr double pose_held_s = 1.0;
 constexpr double book_range_mm = 950.0;
 constexpr double book_reach_mm = 250.0;
 constexpr double step_held_s = 3.0;
+constexpr double circle_speed_mm_s = 300.0;
+constexpr double circle_range_mm = 1500.0;
+// So that even the widest circle stays within the head's tilt.
+constexpr double circle_down_mm = 350.0;
 constexpr float paper_grey = 215.0F;
 constexpr float mark_grey = 30.0F;
 
@@ -208,6 +212,14 @@ RigidTransform Scene::own_pose(double time_s) const {
     }
     if (profile_.path == TargetPath::stations) {
         return {Eigen::Matrix3d::Identity(), station_path::place_at_mm(time_s)};
+    }
+    if (profile_.circle_mm > 0.0) {
+        // In the plane across the view, so that the head follows all the way.
+        const double turned = circle_speed_mm_s * time_s / profile_.circle_mm;
+        return {Eigen::Matrix3d::Identity(),
+                Eigen::Vector3d(225.0 + profile_.circle_mm * std::cos(turned),
+                                circle_down_mm + profile_.circle_mm * std::sin(turned),
+                                circle_range_mm)};
     }
     const double middle_mm = 0.5 * (profile_.farthest_mm + profile_.nearest_mm);
     const double reach_mm = 0.5 * (profile_.farthest_mm - profile_.nearest_mm);

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/base/angles.h"
+
 namespace kambara {
 namespace {
 
@@ -16,7 +18,8 @@ Error refused(const std::string& cause) {
             "noise, "
             "colour, "
             "water, lamps, haze, veil, forward, blur, snow, particles, step, swap, nearest, "
-            "farthest, frames, rate, medium, target, as in default?seed=3&noise=1."};
+            "farthest, circle, turn, sway, swing, feed, feed_delay, feed_noise, frames, rate, "
+            "medium, target, as in default?seed=3&noise=1."};
 }
 
 // These and apply() give nothing when they took the value, else why they did not.
@@ -49,6 +52,15 @@ std::string read_metres(std::string_view text, double lowest, double highest, do
     const std::string problem = read(text, lowest, highest, value_m);
     if (problem.empty()) {
         value_mm = 1e3 * value_m;
+    }
+    return problem;
+}
+
+std::string read_degrees(std::string_view text, double lowest, double highest, double& value_rad) {
+    double value_deg = 0.0;
+    const std::string problem = read(text, lowest, highest, value_deg);
+    if (problem.empty()) {
+        value_rad = rad_from_deg(value_deg);
     }
     return problem;
 }
@@ -112,6 +124,27 @@ std::string apply(std::string_view key, std::string_view value, SimulatedProfile
     }
     if (key == "farthest") {
         return read_metres(value, 0.5, 20, profile.farthest_mm);
+    }
+    if (key == "circle") {
+        return read_metres(value, 0.01, 0.6, profile.circle_mm);
+    }
+    if (key == "turn") {
+        return read_degrees(value, 0, 400, profile.turn_rad_s);
+    }
+    if (key == "sway") {
+        return read_metres(value, 0, 2, profile.sway_mm_s);
+    }
+    if (key == "swing") {
+        return read(value, 0.1, 600, profile.turn_period_s);
+    }
+    if (key == "feed") {
+        return read(value, profile.feed);
+    }
+    if (key == "feed_delay") {
+        return read(value, 0, 1, profile.feed_delay_s);
+    }
+    if (key == "feed_noise") {
+        return read_degrees(value, 0, 20, profile.feed_turn_noise_rad_s);
     }
     if (key == "particles") {
         return read(value, 0, 5000, profile.particles);

@@ -43,7 +43,15 @@ struct SimulatedProfile {
         0.0;  ///< after so many seconds another seabed lies behind, then the first again
     double nearest_mm = 1350.0;   ///< of the moving target's path, along the rig's z axis
     double farthest_mm = 2550.0;  ///< likewise
-    std::int64_t frames = -1;     ///< the source ends after so many; -1: never
+    double circle_mm = 0.0;       ///< above 0: the moving target goes round on a circle instead
+    double turn_rad_s = 0.0;      ///< the vehicle's largest turn rate, swinging to and fro
+    double sway_mm_s = 0.0;       ///< its largest speed to the sides, likewise
+    double turn_period_s = 2.0;   ///< of one swing
+    bool feed = true;             ///< a vehicle that moves tells how (VehicleFeed),
+    double feed_delay_s = 0.02;   ///< so late,
+    double feed_turn_noise_rad_s = 0.01;     ///< with this noise on each component
+    double feed_velocity_noise_mm_s = 20.0;  ///< likewise
+    std::int64_t frames = -1;                ///< the source ends after so many; -1: never
     /// A calibration target shown in still poses, a second each, instead of the moving target.
     std::optional<Target> calibration_target;
     TargetPath path = TargetPath::swimming;
@@ -54,7 +62,8 @@ struct SimulatedProfile {
 /// experiment's 75 places, a second each), plumb (moved straight up and down). Keys: seed, noise,
 /// colour, lamps, water (clear, coastal, harbour: sets veil and medium and those between, each of
 /// which may be given as well), haze, veil, forward, blur, snow, particles, step, swap, nearest,
-/// farthest, frames, rate, medium (air, water), target.
+/// farthest, circle (m; at 0.3 m/s, 1.5 m away), turn (degrees a second), sway (m/s), swing (s),
+/// feed, feed_delay (s), feed_noise (degrees a second), frames, rate, medium (air, water), target.
 Result<SimulatedProfile> simulated_profile(std::string_view text);
 
 }  // namespace kambara

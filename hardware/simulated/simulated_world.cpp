@@ -31,6 +31,7 @@ SimulatedWorld::SimulatedWorld(const SimulatedProfile& profile, std::shared_ptr<
     : profile_(profile),
       rig_(nominal_rig(profile.medium)),
       scene_(profile, std::move(hand), rig_.left.T_camera_from_rig),
+      vehicle_(profile),
       noise_(profile.noise_grey, profile.seed) {
     if (profile.colour) {
         colour_.emplace(scene_, rig_);
@@ -48,12 +49,20 @@ double SimulatedWorld::time_s(std::int64_t frame) const {
     return static_cast<double>(frame) / profile_.rate_hz;
 }
 
+RigidTransform SimulatedWorld::T_camera_from_world(const Camera& camera, std::int64_t frame) const {
+    return vehicle_.moves() ? camera.T_camera_from_rig * vehicle_.T_rig_from_world(time_s(frame))
+                            : camera.T_camera_from_rig;
+}
+
 template <class Level>
 Image SimulatedWorld::fixed_picture(const Views<Level>& views, FixedCamera camera,
                                     std::int64_t frame) const {
     const bool left = camera == FixedCamera::left;
     const Camera& lens = left ? rig_.left : *rig_.right;
-    const auto levels = (left ? views.left : views.right).draw(time_s(frame));
+    const CameraView<Level>& view = left ? views.left : views.right;
+    const auto levels = vehicle_.moves()
+                            ? view.draw_turned(time_s(frame), T_camera_from_world(lens, frame))
+                            : view.draw(time_s(frame));
     return noise_.digitised(numbers(levels), lens.width_px, lens.height_px, Channels<Level>::count,
                             left ? 0U : 2U, frame);
 }
@@ -64,8 +73,8 @@ Image SimulatedWorld::turned_picture(const Views<Level>& views, std::int64_t fra
     const Camera& camera = *rig_.pan_tilt;
     const RigidTransform T_turned_from_home{R_home_from_turned(angles).transpose(),
                                             Eigen::Vector3d::Zero()};
-    const auto levels =
-        views.pan_tilt.draw_turned(time_s(frame), T_turned_from_home * camera.T_camera_from_rig);
+    const auto levels = views.pan_tilt.draw_turned(
+        time_s(frame), T_turned_from_home * T_camera_from_world(camera, frame));
     return noise_.digitised(numbers(levels), camera.width_px, camera.height_px,
                             Channels<Level>::count, pan_tilt_number, frame);
 }
@@ -80,7 +89,7 @@ Image SimulatedWorld::pan_tilt_picture(std::int64_t frame, const HeadAngles& ang
 }
 
 RigidTransform SimulatedWorld::T_left_from_target(std::int64_t frame) const {
-    return rig_.left.T_camera_from_rig * scene_.T_rig_from_target(time_s(frame));
+    return T_camera_from_world(rig_.left, frame) * scene_.T_rig_from_target(time_s(frame));
 }
 
 std::optional<Eigen::Vector2d> SimulatedWorld::target_point_under(const Eigen::Vector2d& left_px,

@@ -14,6 +14,7 @@
 #include "hardware/simulated/scene.h"
 #include "hardware/simulated/sensor_noise.h"
 #include "hardware/simulated/simulated_profile.h"
+#include "hardware/simulated/simulated_vehicle.h"
 
 namespace kambara {
 
@@ -60,6 +61,8 @@ class SimulatedWorld {
     };
 
     double time_s(std::int64_t frame) const;
+    /// Where the camera is in the world.
+    RigidTransform T_camera_from_world(const Camera& camera, std::int64_t frame) const;
     template <class Level>
     Image fixed_picture(const Views<Level>& views, FixedCamera camera, std::int64_t frame) const;
     template <class Level>
@@ -68,7 +71,8 @@ class SimulatedWorld {
 
     SimulatedProfile profile_;
     Rig rig_;
-    Scene scene_;
+    Scene scene_;  // in the world's frame
+    SimulatedVehicle vehicle_;
     std::optional<Views<float>> grey_;  // the one or the other
     std::optional<Views<Colour>> colour_;
     SensorNoise noise_;

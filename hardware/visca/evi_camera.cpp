@@ -81,6 +81,17 @@ Result<Done> EviCamera::move_to(const HeadAngles& angles) {
     return look(angles, false);
 }
 
+Result<Done> EviCamera::follow(const HeadAim& aim) {
+    const HeadLimits most = limits();
+    if (!(std::abs(aim.angles.pan_rad) <= most.pan_rad &&
+          std::abs(aim.angles.tilt_rad) <= most.tilt_rad)) {
+        return look(aim.angles, false);  // which says why not
+    }
+    queue_.put(Motion{Motion::Kind::look, aim.angles, {}, false, aim});
+    link_->wake();
+    return Done{};
+}
+
 Result<Done> EviCamera::move_by_hand(const HeadAngles& angles) {
     return look(angles, true);
 }

@@ -31,6 +31,8 @@ class EviCamera final : public PanTiltCamera {
     /// Of the model; before that is known an EVI-D30's.
     HeadLimits limits() const override;
     Result<Done> move_to(const HeadAngles& angles) override;
+    Result<Done> follow(const HeadAim& aim) override;
+    double lag_s() const override { return driver_.lag_s(); }
     Result<Done> move_by_hand(const HeadAngles& angles) override;
     Result<Done> halt() override;
     Result<HeadStatus> status() override;

@@ -16,6 +16,7 @@ constexpr std::int64_t shortest_interval_ns = 33 * ms;
 constexpr std::int64_t interval_at_rest_ns = 100 * ms;
 constexpr int bytes_of_inquiry_and_answer = 16;
 constexpr int bytes_of_answer = 11;
+constexpr int bytes_of_look = 15;
 constexpr std::size_t most_notes = 1000;
 // A completion of what was taken over from that has not come by then was lost.
 constexpr std::int64_t superseded_patience_ns = 100 * ms;
@@ -268,6 +269,17 @@ std::vector<HeadNote> HeadDriver::take_notes() {
 std::uint64_t HeadDriver::position_readings() const {
     std::lock_guard lock(mutex_);
     return readings_;
+}
+
+double HeadDriver::lag_s() const {
+    constexpr double half_field_s = 1.0 / 120.0;
+    return 1e-9 * static_cast<double>(bytes_of_look * options_.session.byte_ns) + half_field_s +
+           options_.motor_lag_s;
+}
+
+double HeadDriver::oldest_aim_s() const {
+    std::lock_guard lock(mutex_);
+    return static_cast<double>(oldest_aim_ns_) * 1e-9;
 }
 
 void HeadDriver::note(HeadNote::Kind kind, std::string text) {

@@ -36,6 +36,11 @@ class HeadDriver {
         std::vector<HeadModel> heads;
         std::optional<HeadModel> model;  ///< empty: by the version inquiry
         std::int64_t reopen_ns = 50'000'000;
+        /// How much later than told the motors are where they should be while they follow.
+        double motor_lag_s = 0.05;
+        /// An aim that could not be told for so long is dropped: a newer one will come, unless the
+        /// target is not seen any more.
+        std::int64_t stale_aim_ns = 50'000'000;
     };
 
     HeadDriver(Link& link, HeadQueue& queue, const Clock& clock, Options options);
@@ -55,6 +60,11 @@ class HeadDriver {
     Result<LensStatus> lens() const;
     std::vector<HeadNote> take_notes();
     std::uint64_t position_readings() const;
+    /// From the first byte of an aim to the head's being there: the line's time, half a field's
+    /// wait, and what the motors take (Options::motor_lag_s).
+    double lag_s() const;
+    /// The oldest aim so far when its first byte went out.
+    double oldest_aim_s() const;
 
   private:
     enum class Stage { waiting, sent, executing, done };
@@ -93,6 +103,7 @@ class HeadDriver {
     void send_next(std::int64_t now_ns);
     bool send_cancel(std::int64_t now_ns);
     bool send_motion(std::int64_t now_ns);
+    void take_aim(Motion& motion, std::int64_t now_ns) const;
     bool send_setting(std::int64_t now_ns);
     void ask(Op inquiry, std::int64_t now_ns);
     Message message_of(const Motion& motion) const;
@@ -137,6 +148,7 @@ class HeadDriver {
     std::optional<LensStatus> lens_;
     std::deque<HeadNote> notes_;
     std::uint64_t readings_ = 0;
+    std::int64_t oldest_aim_ns_ = 0;
 };
 
 }  // namespace kambara::visca

@@ -50,6 +50,7 @@ void HeadDriver::take_wishes(std::int64_t now_ns) {
     if (!motion) {
         return;
     }
+    take_aim(*motion, now_ns);
     const bool same = current_ && ready_ && model_ && current_->motion.kind == Motion::Kind::look &&
                       motion->kind == Motion::Kind::look && current_->corrections == 0 &&
                       message_of(*motion) == message_of(current_->motion);
@@ -130,10 +131,33 @@ bool HeadDriver::send_cancel(std::int64_t now_ns) {
     return true;
 }
 
+// Where a target that is followed will be when the head gets there.
+void HeadDriver::take_aim(Motion& motion, std::int64_t now_ns) const {
+    if (!motion.aim || !model_) {
+        return;
+    }
+    const HeadLimits limits = model_->limits();
+    const HeadAngles then =
+        motion.aim->at(now_ns + static_cast<std::int64_t>(std::llround(lag_s() * 1e9)));
+    motion.angles = {std::clamp(then.pan_rad, -limits.pan_rad, limits.pan_rad),
+                     std::clamp(then.tilt_rad, -limits.tilt_rad, limits.tilt_rad)};
+}
+
 bool HeadDriver::send_motion(std::int64_t now_ns) {
     if (!current_ || current_->stage != Stage::waiting || now_ns < current_->not_before_ns ||
         !session_.socket_free()) {
         return false;
+    }
+    if (current_->motion.aim) {
+        const std::int64_t age_ns = now_ns - current_->motion.aim->computed_ns;
+        if (age_ns > options_.stale_aim_ns) {
+            current_.reset();
+            return false;
+        }
+        take_aim(current_->motion, now_ns);
+        current_->motion.aim.reset();  // if it must be told again, then as it is
+        std::lock_guard lock(mutex_);
+        oldest_aim_ns_ = std::max(oldest_aim_ns_, age_ns);
     }
     // A newer aim is better than the same one again.
     const bool look = current_->motion.kind == Motion::Kind::look;

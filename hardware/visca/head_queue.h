@@ -22,6 +22,8 @@ struct Motion {
     HeadAngles angles = {};
     Message message = {};
     bool by_hand = false;
+    /// Of a look that steering wants: the angles are its, as of the time it is told.
+    std::optional<HeadAim> aim = std::nullopt;
 };
 
 /// What is wanted of a head and was not told it yet. A newer motion takes the place of an older

@@ -36,10 +36,11 @@ const std::vector<Command> all_commands{
     Flow{Flow::Kind::run},
     Flow{Flow::Kind::pause},
     Flow{Flow::Kind::step},
+    TellVehicleMotion{{123, {1.0 / 3.0, -2.0, 3.0}, {0.1, -0.2, 1e-3}, 5.0, 0.02}},
 };
 
 TEST(Serialise, EveryCommandComesBackAsItWas) {
-    ASSERT_EQ(std::variant_size_v<Command>, 14U) << "add the new command to the list above";
+    ASSERT_EQ(std::variant_size_v<Command>, 15U) << "add the new command to the list above";
     for (const Command& command : all_commands) {
         const auto back = command_from_json(to_json(command));
         ASSERT_TRUE(back) << back.error().text();
@@ -86,6 +87,16 @@ Snapshot full_snapshot() {
     position.residual_px = 0.04;
     position.parallax_rad = 0.3;
     track.estimate.position = position;
+    MotionEstimate motion;
+    motion.point_mm = {1.0, -2.0, 1500.0};
+    motion.velocity_mm_s = {100.0, 1.0 / 3.0, -7.0};
+    motion.velocity_covariance_mm2_s2 << 9, 1, 2, 1, 8, 3, 2, 3, 7;
+    motion.acceleration_mm_s2 = {0.0, 10.0, 0.0};
+    motion.model = MotionModel::constant_acceleration;
+    motion.innovation = 2.5;
+    motion.consistent = false;
+    motion.by_vehicle = true;
+    track.estimate.motion = motion;
     snapshot.tracks = {track, TrackSnapshot{2, {}}};
     snapshot.steered_target = 2;
     snapshot.head = HeadSnapshot{{0.2, -0.1}, HeadAngles{0.3, -0.2}, true, false, true, "cable"};
@@ -113,6 +124,8 @@ TEST(Serialise, ASnapshotComesBackAsItWas) {
             EXPECT_EQ(a.state, b.state);
             EXPECT_EQ(*a.left_px, *b.left_px);
             EXPECT_EQ(a.position->covariance_mm2, b.position->covariance_mm2);
+            EXPECT_EQ(a.motion->velocity_mm_s, b.motion->velocity_mm_s);
+            EXPECT_EQ(a.motion->model, b.motion->model);
         }
     }
 }
