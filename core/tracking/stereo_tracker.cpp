@@ -277,6 +277,9 @@ void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& 
     predictor_.update(frame.left.time_ns, measured.point_in_rig_mm);
     if (measured.position && !range_known_ && measured.quality >= options_.good_quality) {
         anchor(measured.point_in_rig_mm);
+        if (measured.right->slope) {
+            looks_->first().slope = *measured.right->slope;
+        }
     }
 }
 
