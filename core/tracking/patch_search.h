@@ -72,6 +72,13 @@ std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig
                                           const Image& right_grey, const RangeBounds& bounds,
                                           int band_px, const PatchSearchOptions& options);
 
+/// Likewise along the curve of `left_px` for a look cut earlier, which is carried from its own
+/// place: with less noise than a patch of the same instant where it is the mean of many.
+std::optional<PatchMatch> search_epipolar_for(const ReferencePatch& look,
+                                              const Eigen::Vector2d& left_px, const Rig& rig,
+                                              const Image& right_grey, const RangeBounds& bounds,
+                                              int band_px, const PatchSearchOptions& options);
+
 /// As search_epipolar, for a target whose plane may lean and cameras that see it from very
 /// different sides: tried over a grid of slopes (up to 35 degrees), then the best slope is refined
 /// where it was found. About as costly as 30 searches: for a target that is new, not for every
@@ -79,12 +86,5 @@ std::optional<PatchMatch> search_epipolar(const ReferencePatch& patch, const Rig
 std::optional<PatchMatch> search_leaning(const ReferencePatch& patch, const Rig& rig,
                                          const Image& right_grey, const RangeBounds& bounds,
                                          int band_px, const PatchSearchOptions& options);
-
-/// Likewise along the curve of `left_px` for a look cut earlier, which is carried from its own
-/// place: with less noise than a patch of the same instant where it is the mean of many.
-std::optional<PatchMatch> search_epipolar_for(const ReferencePatch& look,
-                                              const Eigen::Vector2d& left_px, const Rig& rig,
-                                              const Image& right_grey, const RangeBounds& bounds,
-                                              int band_px, const PatchSearchOptions& options);
 
 }  // namespace kambara
