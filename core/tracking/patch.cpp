@@ -14,6 +14,8 @@ namespace {
 constexpr double smallest_cosine = 0.05;  // rays along the plane hit it nowhere useful
 constexpr double least_forward = 0.02;    // of a ray's direction, to meet a plane before the rig
 constexpr double least_turn_rad = 0.03;   // a patch turned by less is drawn in full, unmasked
+// Likewise where the cameras are turned against each other: usual rigs are by less.
+constexpr double least_view_turn_rad = 0.15;
 
 // Keys' cubic convolution with a = -1/2: exact for quadratics.
 void cubic_weights(double t, double* w) {
@@ -106,61 +108,91 @@ Eigen::Matrix2d matrix_of(const PlanarChange& change) {
     return matrix;
 }
 
-// From a camera's pixel to the plane through `point`, square to the rig's z axis; there changed
-// about that point, carried to the plane through `to_point`, and seen by the other camera.
+struct Plane {
+    Eigen::Vector3d point;
+    Eigen::Vector2d slope;
+
+    /// Where the camera sees it at `pixel`, from its point.
+    std::optional<Eigen::Vector3d> seen_at(const Camera& camera,
+                                           const Eigen::Vector2d& pixel) const {
+        const auto ray = camera.unproject(pixel);
+        const Eigen::Vector3d normal(-slope.x(), -slope.y(), 1.0);
+        if (!ray || std::abs(ray->direction.z()) < smallest_cosine ||
+            std::abs(ray->direction.dot(normal)) < smallest_cosine) {
+            return std::nullopt;
+        }
+        const double along = (point - ray->origin_mm).dot(normal) / ray->direction.dot(normal);
+        return ray->at(along) - point;
+    }
+};
+
+// From a camera's pixel to the plane; there changed about its point, the height over that point
+// with it, carried to `to_point`, and seen by the other camera.
 std::optional<Eigen::Vector2d> carried(const Camera& camera, const Eigen::Vector2d& pixel,
-                                       const Eigen::Vector3d& point, const Eigen::Matrix2d& change,
+                                       const Plane& plane, const Eigen::Matrix2d& change,
                                        const Camera& to_camera, const Eigen::Vector3d& to_point) {
-    const auto ray = camera.unproject(pixel);
-    if (!ray || std::abs(ray->direction.z()) < smallest_cosine) {
+    auto from_point = plane.seen_at(camera, pixel);
+    if (!from_point) {
         return std::nullopt;
     }
-    const double along = (point.z() - ray->origin_mm.z()) / ray->direction.z();
-    Eigen::Vector3d from_point = ray->at(along) - point;
-    from_point.head<2>() = change * from_point.head<2>();
-    return to_camera.project(to_point + from_point);
+    from_point->head<2>() = change * from_point->head<2>();
+    from_point->z() *= std::sqrt(std::abs(change.determinant()));
+    return to_camera.project(to_point + *from_point);
 }
 
 bool is_turned(const ReferencePatch& patch) {
     return std::abs(patch.change.turn_rad) > least_turn_rad;
 }
 
-// Half width and half height, in whole pixels, of the upright rectangle about the centre that the
-// patch fills: the largest one within it while it is not turned, then the one about it.
-std::optional<Eigen::Vector2i> half_size_at(const ReferencePatch& patch, const Camera& left,
-                                            const Camera& camera, const Eigen::Vector3d& point,
-                                            const Eigen::Vector2d& centre) {
+// The upright rectangle about the centre that the patch fills: half its width and height in whole
+// pixels, the largest one within the patch while it is not turned, then the one about it.
+struct Extent {
+    Eigen::Vector2i half;
+    bool turned = false;  ///< by its own change, or because the cameras are turned
+};
+
+std::optional<Extent> extent_at(const ReferencePatch& patch, const Camera& left,
+                                const Camera& camera, const Eigen::Vector3d& point,
+                                const Eigen::Vector2d& centre) {
+    const Plane plane{patch.point_in_rig_mm, patch.slope};
     Eigen::Vector2d half(1e9, 1e9);
+    Eigen::Matrix2d halfway = Eigen::Matrix2d::Zero();  // columns: to the right, and to the lower
     for (int axis = 0; axis < 2; ++axis) {
         for (const double sign : {-1.0, 1.0}) {
             Eigen::Vector2d side = patch.centre_px;
             side[axis] += sign * 0.5 * patch.size_px[axis];
-            const auto ray = left.unproject(side);
-            if (!ray || std::abs(ray->direction.z()) < smallest_cosine) {
-                return std::nullopt;
-            }
-            const double along =
-                (patch.point_in_rig_mm.z() - ray->origin_mm.z()) / ray->direction.z();
-            const Eigen::Vector3d from_point =
-                patch.change.scale * (ray->at(along) - patch.point_in_rig_mm);
-            const auto pixel = camera.project(point + from_point);
+            const auto from_point = plane.seen_at(left, side);
+            const auto pixel = from_point ? camera.project(point + patch.change.scale * *from_point)
+                                          : std::nullopt;
             if (!pixel) {
                 return std::nullopt;
             }
             half[axis] = std::min(half[axis], (*pixel - centre).norm());
+            halfway.col(axis) += 0.5 * sign * (*pixel - centre);
         }
     }
-    if (is_turned(patch)) {
-        const double c = std::abs(std::cos(patch.change.turn_rad));
-        const double s = std::abs(std::sin(patch.change.turn_rad));
-        half = Eigen::Vector2d(c * half.x() + s * half.y(), s * half.x() + c * half.y());
+    const double own_turn_rad = patch.change.turn_rad;
+    const double c = std::cos(own_turn_rad);
+    const double s = std::sin(own_turn_rad);
+    const double view_turn_rad = std::atan2(halfway(1, 0), halfway(0, 0));
+    Extent extent;
+    extent.turned = is_turned(patch);
+    if (std::abs(view_turn_rad) > least_view_turn_rad) {
+        extent.turned = true;
+        Eigen::Matrix2d own;
+        own << c, -s, s, c;
+        half = (halfway * own).cwiseAbs().rowwise().sum();
+    } else if (extent.turned) {
+        half = Eigen::Vector2d(std::abs(c) * half.x() + std::abs(s) * half.y(),
+                               std::abs(s) * half.x() + std::abs(c) * half.y());
     }
     const Eigen::Vector2i whole = (half.array() - 0.49).floor().cast<int>();
     // Never more than twice as large as it was.
     const int longest = std::max(patch.size_px.x(), patch.size_px.y());
     const Eigen::Vector2i most =
-        is_turned(patch) ? Eigen::Vector2i(longest, longest) : Eigen::Vector2i(patch.size_px);
-    return whole.cwiseMin(most.cwiseMin((largest_template_px - 1) / 2));
+        extent.turned ? Eigen::Vector2i(longest, longest) : Eigen::Vector2i(patch.size_px);
+    extent.half = whole.cwiseMin(most.cwiseMin((largest_template_px - 1) / 2));
+    return extent;
 }
 
 // Whether a place of the picture that the patch was cut from belongs to the patch.
@@ -180,6 +212,10 @@ std::optional<Eigen::Vector3d> place_at_depth(const Camera& camera, const Eigen:
     return ray->at((depth_mm - ray->origin_mm.z()) / ray->direction.z());
 }
 
+Eigen::Vector2d ReferencePatch::slope_now() const {
+    return matrix_of({1.0, change.turn_rad}) * slope;
+}
+
 std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Camera& left,
                                           const Camera& camera,
                                           const Eigen::Vector3d& point_in_rig_mm, int margin) {
@@ -187,26 +223,28 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
     if (!centre || !camera.sees(*centre)) {
         return std::nullopt;
     }
-    const auto half = half_size_at(patch, left, camera, point_in_rig_mm, *centre);
-    if (!half || half->minCoeff() < 2) {
+    const auto extent = extent_at(patch, left, camera, point_in_rig_mm, *centre);
+    if (!extent || extent->half.minCoeff() < 2) {
         return std::nullopt;
     }
+    const Eigen::Vector2i half = extent->half;
+    const bool turned = extent->turned;
     const Eigen::Vector2i middle(static_cast<int>(std::lround(centre->x())),
                                  static_cast<int>(std::lround(centre->y())));
     RenderedPatch result;
-    result.top_left = middle - *half;
+    result.top_left = middle - half;
     result.centre = *centre - result.top_left.cast<double>();
     result.margin = margin;
-    result.picture = Image(2 * (half->x() + margin) + 1, 2 * (half->y() + margin) + 1);
+    result.picture = Image(2 * (half.x() + margin) + 1, 2 * (half.y() + margin) + 1);
     const Eigen::Vector2i first = result.top_left - Eigen::Vector2i(margin, margin);
     const Eigen::Matrix2d back = matrix_of(patch.change).inverse();
-    const bool turned = is_turned(patch);
     if (turned) {
-        result.mask = Image(2 * half->x() + 1, 2 * half->y() + 1);
+        result.mask = Image(2 * half.x() + 1, 2 * half.y() + 1);
     }
     const Rectangle region{first.x(), first.y(), result.picture.width(), result.picture.height()};
+    const Plane plane_now{point_in_rig_mm, patch.slope_now()};
     const auto sources = SmoothMap::made(region, [&](const Eigen::Vector2d& pixel) {
-        return carried(camera, pixel, point_in_rig_mm, back, left, patch.point_in_rig_mm);
+        return carried(camera, pixel, plane_now, back, left, patch.point_in_rig_mm);
     });
     if (!sources) {
         return std::nullopt;
@@ -228,8 +266,9 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
 std::optional<Image> drawn_back(const ReferencePatch& patch, const Camera& left, const Image& grey,
                                 const Eigen::Vector3d& point_in_rig_mm, const Rectangle& piece) {
     const Eigen::Matrix2d onwards = matrix_of(patch.change);
+    const Plane plane{patch.point_in_rig_mm, patch.slope};
     const auto places = SmoothMap::made(piece, [&](const Eigen::Vector2d& pixel) {
-        return carried(left, pixel, patch.point_in_rig_mm, onwards, left, point_in_rig_mm);
+        return carried(left, pixel, plane, onwards, left, point_in_rig_mm);
     });
     if (!places) {
         return std::nullopt;

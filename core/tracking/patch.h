@@ -30,6 +30,11 @@ struct ReferencePatch {
     Eigen::Vector3d point_in_rig_mm;    ///< where the reference point was in space
     PlanarChange change{};              ///< since it was cut: it is drawn so changed
     Eigen::Vector2i piece_at_px{0, 0};  ///< where left_grey's first pixel lies in the left picture
+    /// How its plane leans when it was cut: change of the rig's z by x and by y. 0: square to z.
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+
+    /// The slope now that it has turned in its plane.
+    Eigen::Vector2d slope_now() const;
 };
 
 /// A reference patch as another camera, or the same one elsewhere, would see it.
@@ -57,12 +62,13 @@ std::optional<Eigen::Vector3d> place_at_depth(const Camera& camera, const Eigen:
                                               double depth_mm);
 
 /// Draws the patch for `camera` with its reference point at `point_in_rig_mm`: the patch is taken
-/// as a flat piece square to the rig's z axis that was carried from where it was to the new place,
-/// and there changed in its plane as it says. Each pixel's ray goes through the camera's lens to
-/// that plane, back along the shift, and through the left lens into the reference picture (cubic
-/// interpolation), so that neither distortion nor distance bends the comparison. The result covers
-/// no more than the reference patch did, the margin aside. Empty where the place is not in the
-/// camera's field or the patch would be smaller than 5 x 5.
+/// as a flat piece that leans as `slope` says (by itself square to the rig's z axis), was carried
+/// from where it was to the new place, and there changed in its plane as it says. The cameras may
+/// be turned against each other: what a turned patch does not reach is masked. Each pixel's ray
+/// goes through the camera's lens to that plane, back along the shift, and through the left lens
+/// into the reference picture (cubic interpolation), so that neither distortion nor distance bends
+/// the comparison. The result covers no more than the reference patch did, the margin aside. Empty
+/// where the place is not in the camera's field or the patch would be smaller than 5 x 5.
 std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Camera& left,
                                           const Camera& camera,
                                           const Eigen::Vector3d& point_in_rig_mm, int margin = 0);

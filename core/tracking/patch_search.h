@@ -35,6 +35,8 @@ struct PatchMatch {
     /// How the target has turned and grown beside the patch as it was drawn, where that was asked
     /// for and could be told.
     std::optional<MeasuredChange> change;
+    /// How the target's plane leans, where that was searched for (ReferencePatch::slope).
+    std::optional<Eigen::Vector2d> slope;
 };
 
 struct PatchSearchOptions {
@@ -76,5 +78,13 @@ std::optional<PatchMatch> search_epipolar_for(const ReferencePatch& look,
                                               const Eigen::Vector2d& left_px, const Rig& rig,
                                               const Image& right_grey, const RangeBounds& bounds,
                                               int band_px, const PatchSearchOptions& options);
+
+/// As search_epipolar, for a target whose plane may lean and cameras that see it from very
+/// different sides: tried over a grid of slopes (up to 35 degrees), then the best slope is refined
+/// where it was found. About as costly as 30 searches: for a target that is new, not for every
+/// pair.
+std::optional<PatchMatch> search_leaning(const ReferencePatch& patch, const Rig& rig,
+                                         const Image& right_grey, const RangeBounds& bounds,
+                                         int band_px, const PatchSearchOptions& options);
 
 }  // namespace kambara

@@ -281,6 +281,9 @@ void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& 
     estimate_.motion = motion_in_left();
     if (measured.position && !range_known_ && measured.quality >= options_.good_quality) {
         anchor(measured.point_in_rig_mm);
+        if (measured.right->slope) {
+            looks_->first().slope = *measured.right->slope;
+        }
     }
 }
 

@@ -123,8 +123,10 @@ bool leaps(const Rig& rig, const TrackerOptions& options, const SearchScope& sco
 std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& options,
                                      const ReferencePatch* look, const StereoFrame& frame,
                                      const PatchMatch& left, const SearchScope& scope) {
-    const ReferencePatch patch{frame.left.picture, left.pixel, left.size_px,
-                               scope.expected_in_rig_mm};
+    ReferencePatch patch{frame.left.picture, left.pixel, left.size_px, scope.expected_in_rig_mm};
+    if (look != nullptr) {
+        patch.slope = look->slope_now();
+    }
     const Image& grey = *frame.right.picture;
     std::optional<PatchMatch> best;
     if (scope.range_known) {
@@ -149,6 +151,14 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
     }
     auto anywhere =
         search_epipolar(patch, rig, grey, options.range, options.band_px, options.search);
+    // How it leans is found once, while all else is new as well.
+    if (!scope.range_known && !(anywhere && is_clear(options, *anywhere))) {
+        auto leaning =
+            search_leaning(patch, rig, grey, options.range, options.band_px, options.search);
+        if (leaning && (!anywhere || leaning->quality > anywhere->quality)) {
+            anywhere = std::move(leaning);
+        }
+    }
     if (!best || (anywhere && anywhere->quality > best->quality &&
                   (best->likeness < options.seen_likeness ||
                    !leaps(rig, options, scope, left, *anywhere)))) {

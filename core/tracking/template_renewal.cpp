@@ -126,7 +126,8 @@ void StereoTracker::refresh_template(const TargetMeasurement& measured, const St
     if (measured.left.likeness >= options_.update_likeness) {
         return;
     }
-    if (const auto cut = cut_anew(frame, measured, *pixel, measured.left.size_px)) {
+    if (auto cut = cut_anew(frame, measured, *pixel, measured.left.size_px)) {
+        cut->slope = looks_->first().slope_now();
         looks_->add(*cut);
         ++estimate_.template_updates;
     }
