@@ -915,6 +915,14 @@
         <source>A sheet of %1 with its ruler does not fit on %2 (%3) at its true size.</source>
         <translation>Ein Blatt von %1 mit seinem Maßstab passt in wahrer Größe nicht auf %2 (%3).</translation>
     </message>
+    <message>
+        <source>what was found in the right picture leads back to another place</source>
+        <translation>was im rechten Bild gefunden wurde, führt an eine andere Stelle zurück</translation>
+    </message>
+    <message>
+        <source>what looks like it is farther away than it can have gone</source>
+        <translation>was so aussieht, ist weiter weg, als es gelangt sein kann</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -1126,6 +1134,14 @@
     <message>
         <source>At least %1 shots are needed.</source>
         <translation>Mindestens %1 Aufnahmen sind nötig.</translation>
+    </message>
+    <message>
+        <source>%1 shots, which is enough. Ranges would be off by %2 (one deviation).</source>
+        <translation>%1 Aufnahmen, das genügt. Entfernungen wären um %2 falsch (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>Shot %1 taken. That is enough: press Calibrate.</source>
+        <translation>Aufnahme %1 gemacht. Das genügt: Drücken Sie „Kalibrieren“.</translation>
     </message>
 </context>
 <context>
@@ -1794,10 +1810,6 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
         <translation>Eine Liste von Punkten ist in Bildern nicht zu finden: Wählen Sie einen anderen Zielkörper.</translation>
     </message>
     <message>
-        <source>Open a source first.</source>
-        <translation>Öffnen Sie erst eine Quelle.</translation>
-    </message>
-    <message>
         <source>Name a folder for the session.</source>
         <translation>Nennen Sie einen Ordner für die Sitzung.</translation>
     </message>
@@ -1827,7 +1839,7 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     </message>
     <message>
         <source>Saved as %1: paper %2, pages: %3. Print it at 100&#x202f;% and measure the ruler on it.</source>
-        <translation>Gespeichert als %1: Papier %2, Seiten: %3. Drucken Sie es mit 100 % und messen Sie den Maßstab darauf nach.</translation>
+        <translation>Gespeichert als %1: Papier %2, Seiten: %3. Drucken Sie es mit 100&#x202f;% und messen Sie den Maßstab darauf nach.</translation>
     </message>
     <message>
         <source>Save the target to print</source>
@@ -1836,6 +1848,10 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>PDF files (*.pdf)</source>
         <translation>PDF-Dateien (*.pdf)</translation>
+    </message>
+    <message>
+        <source>No picture has come yet: open a source, or play the recording.</source>
+        <translation>Noch ist kein Bild gekommen: Öffnen Sie eine Quelle, oder spielen Sie die Aufzeichnung ab.</translation>
     </message>
 </context>
 <context>

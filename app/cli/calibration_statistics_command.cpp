@@ -112,7 +112,7 @@ std::string title_of(const RecordGroup& group) {
         title += (title.empty() ? "camera " : ", camera ") + group.camera;
     }
     return (title.empty() ? "All" : title) + ": " + std::to_string(group.rows.size()) +
-           " records\n";
+           (group.rows.size() == 1 ? " record\n" : " records\n");
 }
 
 std::string duplicates_text(const RecordGroup& group) {
@@ -144,6 +144,10 @@ std::string baselines_text(const RecordTable& table, const RecordGroup& group) {
 
 std::string group_text(const RecordTable& table, const RecordGroup& group) {
     std::string text = title_of(group) + duplicates_text(group);
+    if (group.rows.size() < 2) {
+        return text + "  One record has no deviation: give two or more of this kind.\n" +
+               baselines_text(table, group) + "\n";
+    }
     text += line_of("  %-22s %13s %12s %12s %8s   %s\n", "parameter", "mean", "deviation",
                     "+- 95 %", "% error", "with t = 2.776");
     for (std::size_t i = 0; i < table.parameters.size(); ++i) {

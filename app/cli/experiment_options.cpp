@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/argument_checks.h"
+
 namespace kambara::cli {
 
 CLI::App* add_range_test(CLI::App& app, RangeTestOptions& o) {

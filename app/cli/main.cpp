@@ -87,7 +87,7 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
                   "visca-udp-raw:HOST:PORT or visca-tcp:HOST:PORT");
     c->add_option("--seconds", o.seconds, "Stop after so much of the source's time")
         ->check(above_zero());
-    c->add_option("--record", o.record, "Folder to record the session in");
+    c->add_option("--record", o.record, "Folder to record the session in; not in this version yet");
     c->add_option("--frame", o.frame,
                   "Frame of the table's positions: left (camera), rig, level or vehicle; the last "
                   "two need a rig file with a mount")

@@ -137,7 +137,8 @@ Outcome run_pan_tilt(const PanTiltOptions& options) {
     const auto done = act(head, options);
     if (!done) {
         Outcome outcome{
-            Error{"pan-tilt " + options.action + " " + options.value + " is not understood.",
+            Error{"pan-tilt " + options.action +
+                      (options.value.empty() ? "" : " " + options.value) + " is not understood.",
                   "Say position, move PAN,TILT, drive PAN,TILT, halt, home, reset, zoom "
                   "SHARE, focus SHARE, focus auto, keep N or recall N."}};
         outcome.wrong_usage = true;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <cstdio>
+#include <cstdlib>
 
 #include "app/kambara/calibration_ports.h"
 #include "app/kambara/command_line.h"
@@ -10,8 +12,32 @@
 #include "ui/scene3d/gl_probe.h"
 #include "ui/shell/main_window.h"
 
+namespace {
+
+// Qt would end the program without a word on what to do.
+bool has_display() {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+        const char* value = std::getenv(name);
+        if (value != nullptr && *value != '\0') {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     using namespace kambara;
+    if (!has_display()) {
+        const QCoreApplication without_window(argc, argv);
+        (void)CommandLine::read(QCoreApplication::arguments());  // --help and --version end here
+        std::fputs(
+            "kambara: there is no display. Start it in a desktop session, or use kambara-cli; "
+            "./run --terminal runs the main job in a terminal.\n",
+            stderr);
+        return 1;
+    }
     ui::prepare_for_gl();
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("Kambara Vision"));

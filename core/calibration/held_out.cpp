@@ -112,7 +112,7 @@ class Comparison {
 
 }  // namespace
 
-std::optional<HeldOutCheck> held_out_check(const Bundle& bundle, std::stop_token stop) {
+std::optional<HeldOutCheck> held_out_check(const Bundle& bundle, const std::stop_token& stop) {
     const auto seen = pairs_of(bundle);
     std::vector<std::size_t> both;  // views that show the target to both
     for (std::size_t i = 0; i < seen.size(); ++i) {

@@ -12,6 +12,6 @@ namespace kambara {
 /// and second camera, and compares the target's lengths with the drawing's; then the other way
 /// round. The bundle must be adjusted already. Empty where fewer than six views show the target to
 /// both cameras.
-std::optional<HeldOutCheck> held_out_check(const Bundle& bundle, std::stop_token stop = {});
+std::optional<HeldOutCheck> held_out_check(const Bundle& bundle, const std::stop_token& stop = {});
 
 }  // namespace kambara

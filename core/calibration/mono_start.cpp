@@ -134,7 +134,7 @@ double robust_sigma_px(const std::vector<Eigen::Vector2d>& residuals) {
 
 MonoResult calibrate_mono(const std::vector<Eigen::Vector3d>& target_mm,
                           const std::vector<DetectedCorners>& views, const MonoStart& start,
-                          std::stop_token stop) {
+                          const std::stop_token& stop) {
     MonoResult result;
     result.camera_from_target.resize(views.size());
     result.view_rms_px.resize(views.size());

@@ -35,7 +35,7 @@ struct MonoStart {
 /// the lens then follows by least squares, first with a loss that outliers don't move.
 MonoResult calibrate_mono(const std::vector<Eigen::Vector3d>& target_mm,
                           const std::vector<DetectedCorners>& views, const MonoStart& start,
-                          std::stop_token stop = {});
+                          const std::stop_token& stop = {});
 
 /// The standard deviation of a coordinate, from the residuals' median, which outliers don't move.
 double robust_sigma_px(const std::vector<Eigen::Vector2d>& residuals);

@@ -59,10 +59,10 @@ std::optional<Error> fault_of(const std::vector<SeenPoint>& points, bool coplana
         return Error{"There are " + std::to_string(points.size()) + " points.",
                      "Tsai's method needs at least " + std::to_string(least_points) + "."};
     }
-    if (const auto fault = not_finite(points, labels)) {
+    if (auto fault = not_finite(points, labels)) {
         return fault;
     }
-    if (const auto fault = given_twice(points, labels)) {
+    if (auto fault = given_twice(points, labels)) {
         return fault;
     }
     const PointLayout layout = layout_of(points);

@@ -33,7 +33,7 @@ std::vector<std::size_t> sort_points(const std::vector<Eigen::Vector2d>& points,
             return rank(points[a], rule, height_px) < rank(points[b], rule, height_px);
         });
         while (next != left.end()) {
-            const Eigen::Vector2d here = points[*next];
+            const Eigen::Vector2d& here = points[*next];
             sorted.push_back(*next);
             left.erase(next);
             next = left.end();

@@ -32,6 +32,7 @@ double extent_px(const std::vector<SeenPoint>& points) {
     double squares = 0.0;
     for (const int axis : {0, 1}) {
         std::vector<double> values;
+        values.reserve(points.size());
         for (const SeenPoint& point : points) {
             values.push_back(point.seen_px[axis]);
         }

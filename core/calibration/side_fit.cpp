@@ -67,6 +67,7 @@ std::optional<FittedLine> fit_line(SideScan::Edge& edge, const Straightener& str
     }
     FittedLine line = orthogonal_line(straight);
     std::vector<double> distances;
+    distances.reserve(straight.size());
     for (const auto& p : straight) {
         distances.push_back(beside(line, p));
     }

@@ -23,6 +23,7 @@ std::vector<TsaiView> starts(const std::vector<SeenPoint>& points, const TsaiFit
     std::stable_sort(rated.begin(), rated.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<TsaiView> sorted;
+    sorted.reserve(rated.size());
     for (const auto& one : rated) {
         sorted.push_back(one.second);
     }

@@ -136,7 +136,7 @@ std::optional<Eigen::Vector2d> brown_undistort(const std::array<double, 12>& par
     }
     // Ordinary lenses are solved from the distorted direction itself in a few steps; the radial
     // solution is the start for those that bend so much that this fails.
-    if (const auto found = undistorted_from(parameters, max_radius, distorted, distorted)) {
+    if (auto found = undistorted_from(parameters, max_radius, distorted, distorted)) {
         return found;
     }
     if (wanted == 0.0) {

@@ -30,7 +30,7 @@ Result<FittedLens> in_terms(const Camera& camera, int terms) {
             return FittedLens{*brown, 0.0};
         }
     }
-    const auto few = fitted_brown(camera, std::min(terms, 5));
+    auto few = fitted_brown(camera, std::min(terms, 5));
     if (terms <= 5 || (few && few->worst_residual_px <= negligible_px)) {
         return few;
     }

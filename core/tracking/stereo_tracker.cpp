@@ -79,9 +79,9 @@ Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectang
     here.covariance_px2 =
         options_.search.floor_px * options_.search.floor_px * Eigen::Matrix2d::Identity();
     auto detail = std::make_shared<SearchDetail>();
-    adopt(complete_from_left(rig_, options_, nullptr, frame,
-                             SearchScope{looks_->first().point_in_rig_mm}, here, detail.get()),
-          frame);
+    SearchScope scope{looks_->first().point_in_rig_mm};
+    scope.try_slopes = true;
+    adopt(complete_from_left(rig_, options_, nullptr, frame, scope, here, detail.get()), frame);
     estimate_.search = std::move(detail);
     return Done{};
 }
@@ -110,6 +110,7 @@ void StereoTracker::clear() {
     predictor_.reset();
     options_.search.method = clear_method_;
     range_known_ = false;
+    pairs_ = 0;
     started_ = false;
     place_unknown_ = false;
     surprise_px_ = 0.0;
@@ -140,9 +141,13 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
         place_unknown_ || (lost && frames_in_state_ % frames_between_full_searches == 1);
     estimate_.forget_place();
     estimate_.frame = frame.left.index;
-    const SearchScope scope{
-        expected_place(frame.left.time_ns), range_known_, lost, everywhere, place_unknown_,
-        reach_px(frame.left.time_ns)};
+    const SearchScope scope{expected_place(frame.left.time_ns),
+                            range_known_,
+                            lost,
+                            everywhere,
+                            place_unknown_,
+                            reach_px(frame.left.time_ns),
+                            ++pairs_ % options_.slopes_every == 0};
     const auto measured = measure(frame, scope);
     if (measured && measured->left.quality >= options_.good_quality) {
         see_clearness(measured->left);  // of the target, not of what is taken for it when lost

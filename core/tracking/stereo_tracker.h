@@ -123,6 +123,7 @@ class StereoTracker {
     TrackEstimate estimate_;
     std::optional<AppearanceBank> looks_;
     bool range_known_ = false;
+    int pairs_ = 0;  // since the template was cut
     bool place_unknown_ = false;
     bool started_ = false;
     bool measured_by_first_ = false;

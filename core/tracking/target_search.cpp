@@ -117,6 +117,31 @@ bool leaps(const Rig& rig, const TrackerOptions& options, const SearchScope& sco
     return !position || leapt(rig, options, scope, *position);
 }
 
+// Left-right consistency (COR-8): a patch of the right picture, looked for in the left one, is
+// found where it came from. A match beyond doubt, once the distance is known, is spared the effort.
+bool leads_back(const Rig& rig, const TrackerOptions& options, const StereoFrame& frame,
+                const PatchMatch& left, const PatchMatch& right, const ReferencePatch* look) {
+    if (right.quality >= options.sure_quality && !right.slope) {
+        return true;
+    }
+    const auto position = position_from_pair(rig, {left.pixel, left.covariance_px2},
+                                             {right.pixel, right.covariance_px2}, options.position);
+    if (!position) {
+        return true;  // which is a reason of its own
+    }
+    const Eigen::Vector3d point = rig.left.T_camera_from_rig.inverse() * position->point_in_left_mm;
+    ReferencePatch patch{frame.right.picture, right.pixel, right.size_px, point};
+    patch.slope = right.slope       ? *right.slope
+                  : look != nullptr ? look->slope_now()
+                                    : Eigen::Vector2d::Zero();
+    PatchSearchOptions search = options.search;
+    search.measure_change = false;
+    const int radius_px = static_cast<int>(std::ceil(2.0 * options.back_px));
+    const auto back = search_window(patch, *rig.right, rig.left, *frame.left.picture,
+                                    {point, radius_px, 0.0}, search);
+    return back && (back->pixel - left.pixel).norm() <= options.back_px;
+}
+
 // The patch is cut anew from the left picture: both pictures show the same instant, so the two
 // sides differ by the change of view alone, and what the left match may be off by, the right one
 // is off by as well.
@@ -152,7 +177,7 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
     auto anywhere =
         search_epipolar(patch, rig, grey, options.range, options.band_px, options.search);
     // How it leans is found once, while all else is new as well.
-    if (!scope.range_known && !(anywhere && is_clear(options, *anywhere))) {
+    if (scope.try_slopes && !scope.range_known && !(anywhere && is_clear(options, *anywhere))) {
         auto leaning =
             search_leaning(patch, rig, grey, options.range, options.band_px, options.search);
         if (leaning && (!anywhere || leaning->quality > anywhere->quality)) {
@@ -208,6 +233,10 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
     result.quality = std::min(left.quality, result.right->quality);
     if (result.right->distinctness < options.least_distinctness) {
         result.fault = "the right picture holds another place that looks the same";
+        return result;
+    }
+    if (!leads_back(rig, options, frame, left, *result.right, look)) {
+        result.fault = "what was found in the right picture leads back to another place";
         return result;
     }
     const auto position =

@@ -33,6 +33,7 @@ struct SearchScope {
     bool everywhere = false;  ///< when lost: look over the whole left picture
     bool anywhere = false;    ///< when lost: nothing says how far it may have gone
     double reach_px = 24.0;   ///< how far off the expected place may be in the left picture
+    bool try_slopes = false;  ///< while the distance is not known: how it leans, which takes time
 };
 
 /// Whether a match says nothing of the target: improbable, and little alike as well, since of a

@@ -11,11 +11,15 @@ struct TrackerOptions {
     PatchSearchOptions search;
     PositionOptions position;
     RangeBounds range;
-    int window_radius_px = 24;           ///< left, about the predicted place
-    int wide_radius_px = 96;             ///< when the window holds nothing good
-    int band_px = 2;                     ///< right, on both sides of the epipolar curve
-    double right_reach_px = 16.0;        ///< along the curve, about the predicted place
-    double good_quality = 0.50;          ///< probably right: Tracking
+    int window_radius_px = 24;     ///< left, about the predicted place
+    int wide_radius_px = 96;       ///< when the window holds nothing good
+    int band_px = 2;               ///< right, on both sides of the epipolar curve
+    double right_reach_px = 16.0;  ///< along the curve, about the predicted place
+    double good_quality = 0.50;    ///< probably right: Tracking
+    /// Beyond doubt: it is not checked whether what was found right leads back to the left.
+    double sure_quality = 0.95;
+    double back_px = 1.5;                ///< so far off may it lead back
+    int slopes_every = 30;               ///< pairs, while no distance is known
     double lost_quality = 0.15;          ///< less than this: Lost
     double found_quality = 0.80;         ///< at least this to take a match far from the prediction
     double unrivalled_quality = 0.65;    ///< at least this where another place in reach looks alike

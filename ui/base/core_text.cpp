@@ -27,6 +27,8 @@ const char* const phrases[] = {
     QT_TRANSLATE_NOOP("core", "the predicted place is outside the left picture"),
     QT_TRANSLATE_NOOP("core", "not found in the right picture"),
     QT_TRANSLATE_NOOP("core", "the right picture holds another place that looks the same"),
+    QT_TRANSLATE_NOOP("core", "what was found in the right picture leads back to another place"),
+    QT_TRANSLATE_NOOP("core", "what looks like it is farther away than it can have gone"),
     QT_TRANSLATE_NOOP("core", "its distance would have leapt from %1 to %2 m"),
     QT_TRANSLATE_NOOP("core", "Target %1: %2"),
     QT_TRANSLATE_NOOP("core", "%1 -> %2: %3"),

@@ -182,15 +182,21 @@ void CapturePage::show_state(const SessionStatePtr& state) {
     }
     coverage_->show_coverage(state->coverage);
     progress_->setValue(std::min(state->kept, enough_shots));
+    const QString off = percent(state->range_error, 3);
     progress_text_->setText(
         state->kept == 0 ? tr("No shot yet; about %1 are enough.").arg(enough_shots)
-                         : tr("%1 of about %2 shots. Ranges would be off by %3 (one deviation).")
-                               .arg(state->kept)
-                               .arg(enough_shots)
-                               .arg(percent(state->range_error, 2)));
+        : state->kept < enough_shots
+            ? tr("%1 of about %2 shots. Ranges would be off by %3 (one deviation).")
+                  .arg(state->kept)
+                  .arg(enough_shots)
+                  .arg(off)
+            : tr("%1 shots, which is enough. Ranges would be off by %2 (one deviation).")
+                  .arg(state->kept)
+                  .arg(off));
     fill_shots();
     fill_buttons();
-    if (hand_ && helper_->isChecked() && state->kept != helper_went_for_) {
+    if (hand_ && helper_->isChecked() && state->kept != helper_went_for_ &&
+        state->kept < enough_shots) {
         follow_again();
     }
 }
@@ -220,7 +226,10 @@ void CapturePage::show_look(const SessionLookPtr& look) {
     if (seen.shot) {
         since_told_.start();
         told_for_ms_ = shot_told_ms;
-        say(tr("Shot %1 taken. Now to the next outline.").arg(*seen.shot), theme::good);
+        say(state_ && state_->kept >= enough_shots
+                ? tr("Shot %1 taken. That is enough: press Calibrate.").arg(*seen.shot)
+                : tr("Shot %1 taken. Now to the next outline.").arg(*seen.shot),
+            theme::good);
         return;
     }
     if (since_told_.isValid() && since_told_.elapsed() < told_for_ms_) {

@@ -121,7 +121,10 @@ SetupPage::SetupPage(QWidget* parent) : QWidget(parent) {
     begin_->setObjectName(QStringLiteral("beginSession"));
     begin_->setDefault(true);
     buttons->addWidget(resume);
+    why_not_ = new QLabel(this);
+    why_not_->setObjectName(QStringLiteral("whyNotBegin"));
     buttons->addStretch(1);
+    buttons->addWidget(why_not_);
     buttons->addWidget(begin_);
     page->addLayout(buttons);
     setMaximumWidth(form_width);
@@ -239,7 +242,7 @@ void SetupPage::check() {
     } else {
         target_note_->setText(tr("%1 corners").arg(corners_in_target_mm(*target).size()));
         if (!sizes_[0]) {
-            reason = tr("Open a source first.");
+            reason = tr("No picture has come yet: open a source, or play the recording.");
         } else if (folder_->text().trimmed().isEmpty()) {
             reason = tr("Name a folder for the session.");
         }
@@ -249,6 +252,7 @@ void SetupPage::check() {
                            ? tr("Saves the target as a PDF file at its true size, a page a plane")
                            : translated(target.error()));
     begin_->setEnabled(reason.isEmpty());
+    why_not_->setText(target ? reason : QString());  // what is wrong with a target stands beside it
     begin_->setToolTip(reason.isEmpty() ? tr("Begins a session in a new folder") : reason);
 }
 

@@ -56,6 +56,7 @@ class SetupPage : public QWidget {
     QDoubleSpinBox* sigma_mm_;
     QLineEdit* folder_;
     QLabel* failure_;
+    QLabel* why_not_;
     QPushButton* begin_;
 };
 
