@@ -278,6 +278,9 @@ void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& 
     estimate_.position = measured.position;
     estimate_.quality = measured.quality;
     estimate_.reason = measured.fault;
+    if (estimate_.state == TrackState::lost) {
+        predictor_.reset();  // how it came here is not known
+    }
     if (measured.position && !range_known_) {
         predictor_.reset();  // what it has seen so far lay at an assumed distance
     }

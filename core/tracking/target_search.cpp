@@ -118,7 +118,8 @@ bool leaps(const Rig& rig, const TrackerOptions& options, const SearchScope& sco
 }
 
 // Left-right consistency (COR-8): a patch of the right picture, looked for in the left one, is
-// found where it came from. A match beyond doubt, once the distance is known, is spared the effort.
+// found where it came from. Asked of a new target: one that is followed has its prediction. A match
+// beyond doubt is spared the effort.
 bool leads_back(const Rig& rig, const TrackerOptions& options, const StereoFrame& frame,
                 const PatchMatch& left, const PatchMatch& right, const ReferencePatch* look) {
     if (right.quality >= options.sure_quality && !right.slope) {
@@ -139,7 +140,7 @@ bool leads_back(const Rig& rig, const TrackerOptions& options, const StereoFrame
     const int radius_px = static_cast<int>(std::ceil(2.0 * options.back_px));
     const auto back = search_window(patch, *rig.right, rig.left, *frame.left.picture,
                                     {point, radius_px, 0.0}, search);
-    return back && (back->pixel - left.pixel).norm() <= options.back_px;
+    return !back || (back->pixel - left.pixel).norm() <= options.back_px;  // cut off: not told
 }
 
 // The patch is cut anew from the left picture: both pictures show the same instant, so the two
@@ -235,7 +236,7 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
         result.fault = "the right picture holds another place that looks the same";
         return result;
     }
-    if (!leads_back(rig, options, frame, left, *result.right, look)) {
+    if (!scope.range_known && !leads_back(rig, options, frame, left, *result.right, look)) {
         result.fault = "what was found in the right picture leads back to another place";
         return result;
     }
