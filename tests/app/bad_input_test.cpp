@@ -247,7 +247,7 @@ TEST_F(BadInputTest, TemplatesThatCannotBeFollowed) {
 TEST_F(BadInputTest, LeftAndRightOfDifferentLength) {
     fs::remove(folder_ / "right/000003.png");
     expect_cut_short(track(good_template_), "different lengths",
-                   "two recordings of the same instants");
+                     "two recordings of the same instants");
     expect_refused({"calibrate", "--left", "left/*.png", "--right", "right/*.png", "--target",
                     "chessboard:9x6:30", "--out", "x.yaml"},
                    "4 left and 3 right pictures", "Give pairs");

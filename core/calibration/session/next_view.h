@@ -42,7 +42,8 @@ double predicted_range_error(const RigGuess& guess, const Target& target,
 /// Of the poses in which all cameras can find the target, the one whose view takes most away from
 /// the range error that the views kept leave, and repeats none of them: the best one of a grid of
 /// poses, and from there to better ones beside it. Empty where there is no such pose: the cameras
-/// have no picture in common that the target fits in. The same input gives the same pose. Takes some tenths of a second; any thread.
+/// have no picture in common that the target fits in. The same input gives the same pose. Takes
+/// some tenths of a second; any thread.
 std::optional<NextView> next_view(const RigGuess& guess, const Target& target,
                                   const std::vector<RigView>& views,
                                   const NextViewOptions& options);
