@@ -17,6 +17,10 @@ constexpr double surprise_kept = 0.8;   // from one pair to the next
 constexpr double surprise_grows = 1.5;  // likewise, while it is not seen
 constexpr double reach_by_surprise = 2.0;
 constexpr double least_reach_px = 4.0;
+// How far a look that changes may shift from one picture to the next, with no second picture to
+// tell: a velocity that followed such slips would lead the search astray. By the recordings of one
+// camera; 10 to 20 px do.
+constexpr double slip_px = 20.0;
 constexpr double range_share_unknown = 0.05;  // of a distance that only the last ones tell
 
 double quality_of(const std::optional<TargetMeasurement>& measured) {
@@ -199,6 +203,17 @@ void StereoTracker::grow_surprise() {
     surprise_px_ = std::min(std::max(surprise_px_, 1.0) * surprise_grows, most_px);
 }
 
+// While no distance is measured, none may be predicted: the one assumed stays, or the patch would
+// be drawn ever smaller or larger.
+Eigen::Vector3d StereoTracker::at_known_range(const Eigen::Vector3d& point_in_rig_mm) const {
+    if (range_known_) {
+        return point_in_rig_mm;
+    }
+    const Eigen::Vector3d eye = rig_.left.T_camera_from_rig.centre_mm();
+    const double assumed_mm = (looks_->first().point_in_rig_mm - eye).norm();
+    return eye + assumed_mm * (point_in_rig_mm - eye).normalized();
+}
+
 // Where the target is thought to be. Once it is lost, a place in sight and at the distance it was
 // last tracked at, since a target that has left the picture comes back somewhere inside, and a
 // motion towards or from the camera that goes on and on would soon make it too large or too small
@@ -207,7 +222,7 @@ Eigen::Vector3d StereoTracker::expected_place(std::int64_t time_ns) const {
     const Eigen::Vector3d expected =
         predictor_.at(time_ns).value_or(looks_->first().point_in_rig_mm);
     if (estimate_.state != TrackState::lost && !place_unknown_) {
-        return expected;
+        return at_known_range(expected);
     }
     const auto pixel = rig_.left.project(expected);
     const Eigen::Vector3d last = sure_place_in_rig_mm_.value_or(looks_->first().point_in_rig_mm);
@@ -307,7 +322,8 @@ Eigen::Matrix3d StereoTracker::covariance_in_rig_mm2(const TargetMeasurement& me
     double across_mm = least_reach_px;
     if (rig_.left.project(point, pixel_by_point)) {
         const double px_by_mm = pixel_by_point.norm() / std::sqrt(2.0);
-        across_mm = std::sqrt(measured.left.covariance_px2.trace()) / px_by_mm;
+        const double slip = range_known_ ? 0.0 : slip_px;
+        across_mm = std::sqrt(measured.left.covariance_px2.trace() + slip * slip) / px_by_mm;
     }
     return across_mm * across_mm * Eigen::Matrix3d::Identity() +
            range_share_unknown * range_share_unknown * ray * ray.transpose();

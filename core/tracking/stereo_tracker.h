@@ -98,6 +98,7 @@ class StereoTracker {
     void see_clearness(const PatchMatch& match);
     bool fits_well(const PatchMatch& match) const;
     std::optional<TargetMeasurement> measure(const StereoFrame& frame, const SearchScope& scope);
+    Eigen::Vector3d at_known_range(const Eigen::Vector3d& point_in_rig_mm) const;
     Eigen::Vector3d expected_place(std::int64_t time_ns) const;
     double reach_px(std::int64_t time_ns) const;
     Eigen::Matrix3d covariance_in_rig_mm2(const TargetMeasurement& measured) const;
