@@ -50,11 +50,14 @@ Result<std::vector<Held>> held_places(const NamedTable& table, const std::string
     return places;
 }
 
+Result<SimulatedProfile> profile_of(const RangeTestOptions& options) {
+    return simulated_profile(std::string_view(options.left).substr(simulation.size()));
+}
+
 // What the simulation itself knows of its stations.
 Result<std::vector<Held>> simulated_places(const RangeTestOptions& options,
                                            const std::string& templ) {
-    const auto profile =
-        simulated_profile(std::string_view(options.left).substr(simulation.size()));
+    const auto profile = profile_of(options);
     if (!profile) {
         return profile.error();
     }
@@ -156,8 +159,7 @@ Result<std::string> template_of(const RangeTestOptions& options) {
     if (options.templ != "auto" || !options.left.starts_with(simulation)) {
         return options.templ;
     }
-    const auto profile =
-        simulated_profile(std::string_view(options.left).substr(simulation.size()));
+    const auto profile = profile_of(options);
     if (!profile) {
         return profile.error();
     }
@@ -228,8 +230,7 @@ Result<Judged> judged(const RangeTestOptions& options) {
     const bool simulated = options.left.starts_with(simulation);
     Rig rig = nominal_rig();
     if (options.rig.empty() && simulated) {
-        const auto profile =
-            simulated_profile(std::string_view(options.left).substr(simulation.size()));
+        const auto profile = profile_of(options);
         if (!profile) {
             return profile.error();
         }

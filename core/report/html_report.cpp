@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "core/report/chart_parts.h"
+
 namespace kambara {
 namespace {
 
@@ -23,8 +25,6 @@ constexpr double darkest = 0.55;  // opacity; the text stays readable on it
 
 constexpr double lines_width = 460.0;
 constexpr double lines_height = 240.0;
-constexpr const char* line_colours[] = {"#2f6f9f", "#c4502b", "#3f8f5f", "#8a5fa8",
-                                        "#b58900", "#5f6b75", "#c2578f", "#1aa5a5"};
 
 constexpr const char* style =
     "body{font:15px/1.5 sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#1c2733}"
@@ -34,12 +34,6 @@ constexpr const char* style =
     "th:first-child,td:first-child{text-align:left}"
     "svg{display:block;margin:1em 0;font:12px sans-serif}";
 
-std::string number(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
-
 // 0 where the text begins with none, or with a negative one.
 double leading_number(const std::string& text) {
     const double value = std::strtod(text.c_str(), nullptr);
@@ -47,6 +41,12 @@ double leading_number(const std::string& text) {
 }
 
 }  // namespace
+
+std::string fixed_text(double value, int decimals) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value == 0.0 ? 0.0 : value);
+    return text;
+}
 
 std::string html_escaped(std::string_view text) {
     std::string escaped;
@@ -110,7 +110,7 @@ void HtmlReport::add_table(const std::vector<std::string>& header,
         for (std::size_t i = 0; i < row.size(); ++i) {
             body_ += i > 0 && most > 0.0
                          ? "<td style=\"background:rgba(44,111,165," +
-                               number(darkest * leading_number(row[i]) / most, 2) + ")\">"
+                               fixed_text(darkest * leading_number(row[i]) / most, 2) + ")\">"
                          : "<td>";
             body_ += html_escaped(row[i]) + "</td>";
         }
@@ -137,11 +137,11 @@ void HtmlReport::bars(std::string_view title, std::string_view unit, const std::
         body_ += "<text x=\"" + std::to_string(label_width - 8) + "\" y=\"" +
                  std::to_string(y + 12) + "\" text-anchor=\"end\">" + html_escaped(bar.label) +
                  "</text><rect x=\"" + std::to_string(label_width) + "\" y=\"" + std::to_string(y) +
-                 "\" width=\"" + number(std::max(length, 0.0), 1) + "\" height=\"" +
+                 "\" width=\"" + fixed_text(std::max(length, 0.0), 1) + "\" height=\"" +
                  std::to_string(bar_height) + "\" fill=\"" + (bar.marked ? "#c4502b" : "#2f6f9f") +
-                 "\"/><text x=\"" + number(label_width + std::max(length, 0.0) + 6.0, 1) +
+                 "\"/><text x=\"" + fixed_text(label_width + std::max(length, 0.0) + 6.0, 1) +
                  "\" y=\"" + std::to_string(y + 12) + "\">" +
-                 (known ? number(bar.value, decimals) + " " + html_escaped(unit) : "-") +
+                 (known ? fixed_text(bar.value, decimals) + " " + html_escaped(unit) : "-") +
                  "</text>\n";
         y += bar_step;
     }
@@ -150,38 +150,38 @@ void HtmlReport::bars(std::string_view title, std::string_view unit, const std::
 
 void HtmlReport::unit_square(std::string_view title, std::string_view across, std::string_view up,
                              const std::vector<Point>& points) {
-    const auto x_of = [](double x) { return number(square_left + square_side * x, 1); };
-    const auto y_of = [](double y) { return number(square_top + square_side * (1.0 - y), 1); };
+    const auto x_of = [](double x) { return fixed_text(square_left + square_side * x, 1); };
+    const auto y_of = [](double y) { return fixed_text(square_top + square_side * (1.0 - y), 1); };
     const auto line = [&](double x1, double y1, double x2, double y2, const char* colour) {
         body_ += "<line x1=\"" + x_of(x1) + "\" y1=\"" + y_of(y1) + "\" x2=\"" + x_of(x2) +
                  "\" y2=\"" + y_of(y2) + "\" stroke=\"" + colour + "\"/>";
     };
     const auto text = [&](double x, double y, const std::string& more, std::string_view what) {
-        body_ += "<text x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) + "\"" + more + ">" +
-                 html_escaped(what) + "</text>";
+        body_ += "<text x=\"" + fixed_text(x, 1) + "\" y=\"" + fixed_text(y, 1) + "\"" + more +
+                 ">" + html_escaped(what) + "</text>";
     };
     const double bottom = square_top + square_side;
-    body_ += "<svg width=\"" + number(square_left + square_side + 20, 0) + "\" height=\"" +
-             number(bottom + 44, 0) + "\" role=\"img\">";
+    body_ += "<svg width=\"" + fixed_text(square_left + square_side + 20, 0) + "\" height=\"" +
+             fixed_text(bottom + 44, 0) + "\" role=\"img\">";
     text(0, 14, " font-weight=\"bold\"", title);
     for (const double mark : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
         line(mark, 0.0, mark, 1.0, "#e4e9ee");
         line(0.0, mark, 1.0, mark, "#e4e9ee");
         text(square_left + square_side * mark, bottom + 16, " text-anchor=\"middle\"",
-             number(mark, 1));
+             fixed_text(mark, 1));
         text(square_left - 8, square_top + square_side * (1.0 - mark) + 4, " text-anchor=\"end\"",
-             number(mark, 1));
+             fixed_text(mark, 1));
     }
     line(0.0, 0.0, 1.0, 1.0, "#8796a5");
     text(square_left + 0.5 * square_side, bottom + 34, " text-anchor=\"middle\"", across);
-    const std::string middle = number(square_top + 0.5 * square_side, 1);
+    const std::string middle = fixed_text(square_top + 0.5 * square_side, 1);
     text(14, square_top + 0.5 * square_side,
          " text-anchor=\"middle\" transform=\"rotate(-90 14 " + middle + ")\"", up);
     for (const Point& point : points) {
         if (std::isfinite(point.x) && std::isfinite(point.y)) {
             const double radius = 3.0 + 18.0 * std::sqrt(std::clamp(point.share, 0.0, 1.0));
             body_ += "<circle cx=\"" + x_of(point.x) + "\" cy=\"" + y_of(point.y) + "\" r=\"" +
-                     number(radius, 1) + "\" fill=\"#2f6f9f\" fill-opacity=\".7\"/>";
+                     fixed_text(radius, 1) + "\" fill=\"#2f6f9f\" fill-opacity=\".7\"/>";
         }
     }
     body_ += "</svg>\n";
@@ -198,33 +198,33 @@ void HtmlReport::lines(std::string_view title, std::string_view across, std::str
     const double bottom = square_top + lines_height;
     const double right = square_left + lines_width;
     const auto x_of = [&](double x) {
-        return number(square_left + lines_width * x / std::max(farthest, 1e-9), 1);
+        return fixed_text(square_left + lines_width * x / std::max(farthest, 1e-9), 1);
     };
-    const auto y_of = [&](double y) { return number(bottom - lines_height * y / top, 1); };
+    const auto y_of = [&](double y) { return fixed_text(bottom - lines_height * y / top, 1); };
     const auto text = [&](const std::string& x, const std::string& y, const std::string& more,
                           std::string_view what) {
         body_ +=
             "<text x=\"" + x + "\" y=\"" + y + "\"" + more + ">" + html_escaped(what) + "</text>";
     };
-    body_ += "<svg width=\"" + number(right + 220, 0) + "\" height=\"" + number(bottom + 44, 0) +
-             "\" role=\"img\">";
+    body_ += "<svg width=\"" + fixed_text(right + 220, 0) + "\" height=\"" +
+             fixed_text(bottom + 44, 0) + "\" role=\"img\">";
     text("0", "14", " font-weight=\"bold\"", title);
     for (int i = 0; i <= 5; ++i) {
         const double mark = top * i / 5;
-        body_ += "<line x1=\"" + number(square_left, 1) + "\" y1=\"" + y_of(mark) + "\" x2=\"" +
-                 number(right, 1) + "\" y2=\"" + y_of(mark) + "\" stroke=\"#e4e9ee\"/>";
-        text(number(square_left - 8, 1), y_of(mark), " dy=\"4\" text-anchor=\"end\"",
-             number(mark, top < 5 ? 1 : 0));
-        text(x_of(farthest * i / 5), number(bottom + 16, 1), " text-anchor=\"middle\"",
-             number(farthest * i / 5, 1));
+        body_ += "<line x1=\"" + fixed_text(square_left, 1) + "\" y1=\"" + y_of(mark) + "\" x2=\"" +
+                 fixed_text(right, 1) + "\" y2=\"" + y_of(mark) + "\" stroke=\"#e4e9ee\"/>";
+        text(fixed_text(square_left - 8, 1), y_of(mark), " dy=\"4\" text-anchor=\"end\"",
+             fixed_text(mark, top < 5 ? 1 : 0));
+        text(x_of(farthest * i / 5), fixed_text(bottom + 16, 1), " text-anchor=\"middle\"",
+             fixed_text(farthest * i / 5, 1));
     }
-    text(number(square_left + 0.5 * lines_width, 1), number(bottom + 34, 1),
+    text(fixed_text(square_left + 0.5 * lines_width, 1), fixed_text(bottom + 34, 1),
          " text-anchor=\"middle\"", across);
-    const std::string middle = number(square_top + 0.5 * lines_height, 1);
+    const std::string middle = fixed_text(square_top + 0.5 * lines_height, 1);
     text("14", middle, " text-anchor=\"middle\" transform=\"rotate(-90 14 " + middle + ")\"", up);
     double label_y = square_top + 10.0;
     for (std::size_t i = 0; i < series.size(); ++i) {
-        const std::string colour = line_colours[i % std::size(line_colours)];
+        const std::string colour = series_colours[i % std::size(series_colours)];
         std::string path;
         bool drawing = false;
         for (const Point& point : series[i].points) {
@@ -238,7 +238,7 @@ void HtmlReport::lines(std::string_view title, std::string_view across, std::str
         }
         body_ +=
             "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"2\"/>";
-        text(number(right + 14, 1), number(label_y, 1), " fill=\"" + colour + "\"",
+        text(fixed_text(right + 14, 1), fixed_text(label_y, 1), " fill=\"" + colour + "\"",
              series[i].label);
         label_y += 18.0;
     }
@@ -249,20 +249,21 @@ void HtmlReport::picture_arrows(std::string_view title, double width, double hei
                                 const std::vector<Arrow>& arrows) {
     const double scale = 640.0 / std::max(width, 1.0);
     const double top = 24.0;
-    body_ += "<svg width=\"642\" height=\"" + number(top + scale * height + 2.0, 0) +
+    body_ += "<svg width=\"642\" height=\"" + fixed_text(top + scale * height + 2.0, 0) +
              "\" role=\"img\"><text x=\"0\" y=\"14\" font-weight=\"bold\">" + html_escaped(title) +
-             "</text><rect x=\"1\" y=\"" + number(top, 0) + "\" width=\"640\" height=\"" +
-             number(scale * height, 1) + "\" fill=\"none\" stroke=\"#8796a5\"/>\n";
+             "</text><rect x=\"1\" y=\"" + fixed_text(top, 0) + "\" width=\"640\" height=\"" +
+             fixed_text(scale * height, 1) + "\" fill=\"none\" stroke=\"#8796a5\"/>\n";
     for (const Arrow& arrow : arrows) {
         const double x = 1.0 + scale * (arrow.x + 0.5);
         const double y = top + scale * (arrow.y + 0.5);
         const std::string colour = arrow.marked ? "#c4502b" : "#2f6f9f";
-        body_ += "<circle cx=\"" + number(x, 1) + "\" cy=\"" + number(y, 1) +
+        body_ += "<circle cx=\"" + fixed_text(x, 1) + "\" cy=\"" + fixed_text(y, 1) +
                  "\" r=\"1.2\" fill=\"" + colour + "\"/>";
         if (std::isfinite(arrow.dx) && std::isfinite(arrow.dy)) {
-            body_ += "<line x1=\"" + number(x, 1) + "\" y1=\"" + number(y, 1) + "\" x2=\"" +
-                     number(x + scale * stretch * arrow.dx, 1) + "\" y2=\"" +
-                     number(y + scale * stretch * arrow.dy, 1) + "\" stroke=\"" + colour + "\"/>\n";
+            body_ += "<line x1=\"" + fixed_text(x, 1) + "\" y1=\"" + fixed_text(y, 1) + "\" x2=\"" +
+                     fixed_text(x + scale * stretch * arrow.dx, 1) + "\" y2=\"" +
+                     fixed_text(y + scale * stretch * arrow.dy, 1) + "\" stroke=\"" + colour +
+                     "\"/>\n";
         }
     }
     body_ += "</svg>\n";

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
+#include "core/report/chart_parts.h"
 #include "core/report/html_report.h"
 
 namespace kambara {
@@ -13,8 +13,6 @@ constexpr double width = 460.0;
 constexpr double height = 260.0;
 constexpr double left = 70.0;
 constexpr double top = 30.0;
-constexpr const char* colours[] = {"#2f6f9f", "#c4502b", "#3f8f5f", "#8a5fa8",
-                                   "#b58900", "#5f6b75", "#c2578f", "#1aa5a5"};
 
 // The marks of an axis: 1, 2 or 5 times a power of ten apart, around all of the values.
 struct Axis {
@@ -42,14 +40,8 @@ Axis axis_of(double least, double most) {
     return axis;
 }
 
-std::string number(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value == 0.0 ? 0.0 : value);
-    return text;
-}
-
 std::string text_at(double x, double y, const std::string& more, std::string_view what) {
-    return "<text x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) + "\"" + more + ">" +
+    return "<text x=\"" + fixed_text(x, 1) + "\" y=\"" + fixed_text(y, 1) + "\"" + more + ">" +
            html_escaped(what) + "</text>";
 }
 
@@ -79,39 +71,40 @@ void HtmlReport::scatter(std::string_view title, std::string_view across, std::s
     const auto y_of = [&](double y) { return top + height * (1.0 - y_axis.share(y)); };
     const double bottom = top + height;
     const double right = left + width;
-    body_ += "<svg width=\"" + number(right + 220, 0) + "\" height=\"" + number(bottom + 44, 0) +
-             "\" role=\"img\">" + text_at(0, 14, " font-weight=\"bold\"", title);
+    body_ += "<svg width=\"" + fixed_text(right + 220, 0) + "\" height=\"" +
+             fixed_text(bottom + 44, 0) + "\" role=\"img\">" +
+             text_at(0, 14, " font-weight=\"bold\"", title);
     const auto grid = [&](double x1, double y1, double x2, double y2, bool zero) {
-        body_ += "<line x1=\"" + number(x1, 1) + "\" y1=\"" + number(y1, 1) + "\" x2=\"" +
-                 number(x2, 1) + "\" y2=\"" + number(y2, 1) + "\" stroke=\"" +
+        body_ += "<line x1=\"" + fixed_text(x1, 1) + "\" y1=\"" + fixed_text(y1, 1) + "\" x2=\"" +
+                 fixed_text(x2, 1) + "\" y2=\"" + fixed_text(y2, 1) + "\" stroke=\"" +
                  (zero ? "#8796a5" : "#e4e9ee") + "\"/>";
     };
     for (double mark = x_axis.from; mark < x_axis.to + 0.5 * x_axis.step; mark += x_axis.step) {
         grid(x_of(mark), top, x_of(mark), bottom, std::abs(mark) < 1e-6 * x_axis.step);
         body_ += text_at(x_of(mark), bottom + 16, " text-anchor=\"middle\"",
-                         number(mark, x_axis.decimals));
+                         fixed_text(mark, x_axis.decimals));
     }
     for (double mark = y_axis.from; mark < y_axis.to + 0.5 * y_axis.step; mark += y_axis.step) {
         grid(left, y_of(mark), right, y_of(mark), std::abs(mark) < 1e-6 * y_axis.step);
         body_ += text_at(left - 8, y_of(mark) + 4, " text-anchor=\"end\"",
-                         number(mark, y_axis.decimals));
+                         fixed_text(mark, y_axis.decimals));
     }
     body_ += text_at(left + 0.5 * width, bottom + 34, " text-anchor=\"middle\"", across);
     body_ += text_at(14, top + 0.5 * height,
                      " text-anchor=\"middle\" transform=\"rotate(-90 14 " +
-                         number(top + 0.5 * height, 1) + ")\"",
+                         fixed_text(top + 0.5 * height, 1) + ")\"",
                      up);
     for (std::size_t i = 0; i < series.size(); ++i) {
-        const std::string colour = colours[i % std::size(colours)];
+        const std::string colour = series_colours[i % std::size(series_colours)];
         for (const Point& point : series[i].points) {
             if (known(point)) {
-                body_ += "<circle cx=\"" + number(x_of(point.x), 1) + "\" cy=\"" +
-                         number(y_of(point.y), 1) + "\" r=\"3\" fill=\"" + colour +
+                body_ += "<circle cx=\"" + fixed_text(x_of(point.x), 1) + "\" cy=\"" +
+                         fixed_text(y_of(point.y), 1) + "\" r=\"3\" fill=\"" + colour +
                          "\" fill-opacity=\".75\"/>";
             }
         }
         const double y = top + 10.0 + 18.0 * static_cast<double>(i);
-        body_ += "<circle cx=\"" + number(right + 16, 1) + "\" cy=\"" + number(y - 4, 1) +
+        body_ += "<circle cx=\"" + fixed_text(right + 16, 1) + "\" cy=\"" + fixed_text(y - 4, 1) +
                  "\" r=\"4\" fill=\"" + colour + "\"/>" +
                  text_at(right + 26, y, "", series[i].label);
     }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/angles.h"
+#include "core/base/median.h"
 
 namespace kambara {
 namespace {
@@ -50,10 +51,7 @@ Points without_outliers(Points points, bool line, std::size_t least, double devi
         for (const Eigen::Vector3d& p : points) {
             distances.push_back(distance_mm(axes, p, line));
         }
-        auto sorted = distances;
-        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-        std::nth_element(sorted.begin(), middle, sorted.end());
-        const double gate = std::max(deviations * 1.4826 * *middle, 1e-9);
+        const double gate = std::max(deviations * 1.4826 * median(distances), 1e-9);
         Points kept;
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (distances[i] <= gate) {

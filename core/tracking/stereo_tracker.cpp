@@ -293,11 +293,10 @@ void StereoTracker::adopt(const TargetMeasurement& measured, const StereoFrame& 
     estimate_.position = measured.position;
     estimate_.quality = measured.quality;
     estimate_.reason = measured.fault;
-    if (estimate_.state == TrackState::lost) {
-        predictor_.reset();  // how it came here is not known
-    }
-    if (measured.position && !range_known_) {
-        predictor_.reset();  // what it has seen so far lay at an assumed distance
+    // How a lost one came here is not known; before the first position all lay at an assumed
+    // distance.
+    if (estimate_.state == TrackState::lost || (measured.position && !range_known_)) {
+        predictor_.reset();
     }
     predictor_.update(frame.left.time_ns, measured.point_in_rig_mm,
                       covariance_in_rig_mm2(measured));

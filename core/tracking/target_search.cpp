@@ -121,17 +121,12 @@ bool leaps(const Rig& rig, const TrackerOptions& options, const SearchScope& sco
 // found where it came from. Asked of a new target: one that is followed has its prediction. A match
 // beyond doubt is spared the effort.
 bool leads_back(const Rig& rig, const TrackerOptions& options, const StereoFrame& frame,
-                const PatchMatch& left, const PatchMatch& right, const ReferencePatch* look) {
+                const PatchMatch& left, const PatchMatch& right,
+                const Eigen::Vector3d& point_in_rig_mm, const ReferencePatch* look) {
     if (right.quality >= options.sure_quality && !right.slope) {
         return true;
     }
-    const auto position = position_from_pair(rig, {left.pixel, left.covariance_px2},
-                                             {right.pixel, right.covariance_px2}, options.position);
-    if (!position) {
-        return true;  // which is a reason of its own
-    }
-    const Eigen::Vector3d point = rig.left.T_camera_from_rig.inverse() * position->point_in_left_mm;
-    ReferencePatch patch{frame.right.picture, right.pixel, right.size_px, point};
+    ReferencePatch patch{frame.right.picture, right.pixel, right.size_px, point_in_rig_mm};
     patch.slope = right.slope       ? *right.slope
                   : look != nullptr ? look->slope_now()
                                     : Eigen::Vector2d::Zero();
@@ -139,7 +134,7 @@ bool leads_back(const Rig& rig, const TrackerOptions& options, const StereoFrame
     search.measure_change = false;
     const int radius_px = static_cast<int>(std::ceil(2.0 * options.back_px));
     const auto back = search_window(patch, *rig.right, rig.left, *frame.left.picture,
-                                    {point, radius_px, 0.0}, search);
+                                    {point_in_rig_mm, radius_px, 0.0}, search);
     return !back || (back->pixel - left.pixel).norm() <= options.back_px;  // cut off: not told
 }
 
@@ -236,10 +231,6 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
         result.fault = "the right picture holds another place that looks the same";
         return result;
     }
-    if (!scope.range_known && !leads_back(rig, options, frame, left, *result.right, look)) {
-        result.fault = "what was found in the right picture leads back to another place";
-        return result;
-    }
     const auto position =
         position_from_pair(rig, {left.pixel, left.covariance_px2},
                            {result.right->pixel, result.right->covariance_px2}, options.position);
@@ -247,12 +238,19 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
         result.fault = "no position: " + position.error().cause;
         return result;
     }
+    const Eigen::Vector3d point_in_rig_mm =
+        rig.left.T_camera_from_rig.inverse() * position->point_in_left_mm;
+    if (!scope.range_known &&
+        !leads_back(rig, options, frame, left, *result.right, point_in_rig_mm, look)) {
+        result.fault = "what was found in the right picture leads back to another place";
+        return result;
+    }
     if (const auto leap = leapt(rig, options, scope, *position)) {
         result.fault = *leap;
         return result;
     }
     result.position = *position;
-    result.point_in_rig_mm = rig.left.T_camera_from_rig.inverse() * position->point_in_left_mm;
+    result.point_in_rig_mm = point_in_rig_mm;
     return result;
 }
 

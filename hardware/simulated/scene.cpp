@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/base/angles.h"
+#include "hardware/simulated/camera_tilt.h"
 #include "hardware/simulated/station_path.h"
 #include "hardware/simulated/tones.h"
 
@@ -15,7 +16,6 @@ namespace kambara {
 namespace {
 
 constexpr double seabed_below_mm = 1500.0;
-constexpr double cameras_down_rad = rad_from_deg(15.0);
 constexpr double pose_held_s = 1.0;
 constexpr double book_range_mm = 950.0;
 constexpr double book_reach_mm = 250.0;
@@ -27,8 +27,7 @@ constexpr double circle_down_mm = 350.0;
 constexpr float paper_grey = 215.0F;
 constexpr float mark_grey = 30.0F;
 
-// The vehicle's axes in the rig's frame.
-const Eigen::Vector3d down(0.0, std::cos(cameras_down_rad), std::sin(cameras_down_rad));
+// The vehicle's bow, in the rig's frame.
 const Eigen::Vector3d forward(0.0, -std::sin(cameras_down_rad), std::cos(cameras_down_rad));
 
 // What is moved on a plumb line.
@@ -145,8 +144,8 @@ double Scene::blur_px_at(double range_mm) const {
 }
 
 double Scene::seabed_range_mm(const Ray& ray) const {
-    const double falls = ray.direction.dot(down);
-    return falls < 1e-3 ? no_seabed : (seabed_below_mm - ray.origin_mm.dot(down)) / falls;
+    const double falls = ray.direction.dot(down_in_rig);
+    return falls < 1e-3 ? no_seabed : (seabed_below_mm - ray.origin_mm.dot(down_in_rig)) / falls;
 }
 
 float Scene::seabed_grey(int which, const Eigen::Vector3d& hit, double footprint_mm) const {
@@ -155,13 +154,13 @@ float Scene::seabed_grey(int which, const Eigen::Vector3d& hit, double footprint
 
 template <>
 float Scene::seabed(int which, const Ray& ray, double range_mm, double spread) const {
-    const double footprint = range_mm * spread / std::sqrt(ray.direction.dot(down));
+    const double footprint = range_mm * spread / std::sqrt(ray.direction.dot(down_in_rig));
     return seabed_grey(which, ray.at(range_mm), footprint);
 }
 
 template <>
 Colour Scene::seabed(int which, const Ray& ray, double range_mm, double spread) const {
-    const double footprint = range_mm * spread / std::sqrt(ray.direction.dot(down));
+    const double footprint = range_mm * spread / std::sqrt(ray.direction.dot(down_in_rig));
     const Eigen::Vector3d hit = ray.at(range_mm);
     return seabed_grey(which, hit, footprint) *
            seabed_tone(tones_->at(hit.x(), hit.dot(forward), footprint));
@@ -208,7 +207,7 @@ RigidTransform Scene::own_pose(double time_s) const {
     }
     if (profile_.path == TargetPath::plumb) {
         return {Eigen::Matrix3d::Identity(),
-                plumb_middle_mm + plumb_reach_mm * wave(time_s, 8.0, 0.0) * down};
+                plumb_middle_mm + plumb_reach_mm * wave(time_s, 8.0, 0.0) * down_in_rig};
     }
     if (profile_.path == TargetPath::stations) {
         return {Eigen::Matrix3d::Identity(), station_path::place_at_mm(time_s)};

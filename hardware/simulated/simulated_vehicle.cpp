@@ -7,16 +7,12 @@
 #include <random>
 #include <vector>
 
-#include "core/base/angles.h"
+#include "hardware/simulated/camera_tilt.h"
 
 namespace kambara {
 namespace {
 
-constexpr double cameras_down_rad = rad_from_deg(15.0);
 constexpr std::int64_t sample_ns = 10'000'000;
-
-// The vehicle's vertical, downwards, in the rig's frame.
-const Eigen::Vector3d down(0.0, std::cos(cameras_down_rad), std::sin(cameras_down_rad));
 
 class SimulatedFeed final : public VehicleFeed {
   public:
@@ -50,7 +46,7 @@ class SimulatedFeed final : public VehicleFeed {
 RigidTransform SimulatedVehicle::T_rig_from_world(double time_s) const {
     const double rate = 2.0 * std::numbers::pi / profile_.turn_period_s;
     const double yaw = profile_.turn_rad_s / rate * std::sin(rate * time_s);
-    const Eigen::Matrix3d R_world_from_rig = Eigen::AngleAxisd(yaw, down).toRotationMatrix();
+    const Eigen::Matrix3d R_world_from_rig = Eigen::AngleAxisd(yaw, down_in_rig).toRotationMatrix();
     const Eigen::Vector3d place(profile_.sway_mm_s / rate * std::sin(rate * time_s), 0.0, 0.0);
     return RigidTransform{R_world_from_rig, place}.inverse();
 }
@@ -61,7 +57,7 @@ VehicleMotion SimulatedVehicle::motion(std::int64_t time_ns) const {
     const double swing = std::cos(rate * time_s);
     VehicleMotion motion;
     motion.time_ns = time_ns;
-    motion.turn_rad_s = profile_.turn_rad_s * swing * down;
+    motion.turn_rad_s = profile_.turn_rad_s * swing * down_in_rig;
     motion.velocity_mm_s =
         T_rig_from_world(time_s).R * Eigen::Vector3d(profile_.sway_mm_s * swing, 0.0, 0.0);
     motion.turn_sigma_rad_s = profile_.feed_turn_noise_rad_s;

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/calibration/session/candidate_poses.h"
 #include "ui/base/core_text.h"
 #include "ui/base/quantities.h"
 #include "ui/base/theme.h"
@@ -28,16 +29,6 @@ constexpr qint64 long_without_target_ms = 15000;
 constexpr qint64 shot_told_ms = 1500;
 constexpr qint64 failure_told_ms = 10'000;
 constexpr qint64 helper_tries_again_ms = 5000;
-
-// Of the corners, as the simulated hand counts.
-Eigen::Vector3d middle_of(const Target& target) {
-    const auto corners = corners_in_target_mm(target);
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const auto& corner : corners) {
-        sum += corner;
-    }
-    return sum / static_cast<double>(corners.size());
-}
 
 }  // namespace
 
@@ -208,7 +199,8 @@ void CapturePage::follow_again() {
     helper_went_for_ = state_->kept;
     hand_.hold(state_->next->T_left_from_target, true);
     // From there the user takes over.
-    pad_->set_pose(state_->next->T_left_from_target, middle_of(state_->setup.target));
+    pad_->set_pose(state_->next->T_left_from_target,
+                   middle_of(corners_in_target_mm(state_->setup.target)));
     since_hold_.start();
 }
 

@@ -42,9 +42,7 @@ struct Extent {
 
 Extent extent_of(const std::vector<Eigen::Vector3d>& corners) {
     Extent extent;
-    for (const auto& corner : corners) {
-        extent.middle_mm += corner / static_cast<double>(corners.size());
-    }
+    extent.middle_mm = middle_of(corners);
     for (const auto& corner : corners) {
         extent.radius_mm = std::max(extent.radius_mm, (corner - extent.middle_mm).norm());
     }
@@ -152,6 +150,14 @@ class Visibility {
 };
 
 }  // namespace
+
+Eigen::Vector3d middle_of(const std::vector<Eigen::Vector3d>& corners_mm) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& corner : corners_mm) {
+        middle += corner / static_cast<double>(corners_mm.size());
+    }
+    return middle;
+}
 
 Eigen::Vector3d facing(const Target& target) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -12,6 +12,9 @@ namespace kambara {
 /// Where the target's sheets look, in its own frame: the mean of the directions into them.
 Eigen::Vector3d facing(const Target& target);
 
+/// The mean of a target's corners.
+Eigen::Vector3d middle_of(const std::vector<Eigen::Vector3d>& corners_mm);
+
 /// Where a corner of the target comes to lie in one camera's picture; empty where it does not.
 std::optional<Eigen::Vector2d> pixel_in(const RigGuess& guess, std::size_t camera,
                                         const RigidTransform& T_first_from_target,

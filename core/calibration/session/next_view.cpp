@@ -69,14 +69,6 @@ bool is_new(const RigView& view, const std::vector<RigView>& kept, double least_
     });
 }
 
-Eigen::Vector3d middle_of(const std::vector<Eigen::Vector3d>& corners) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& corner : corners) {
-        sum += corner;
-    }
-    return sum / static_cast<double>(std::max<std::size_t>(1, corners.size()));
-}
-
 // A pose moved by a share of its distance along the first camera's axes, and turned about them with
 // the target's middle held.
 RigidTransform moved(const RigidTransform& pose, const Eigen::Vector3d& middle_mm, int axis,
@@ -186,11 +178,8 @@ std::optional<NextView> next_view(const RigGuess& guess, const Target& target,
                            ? error_after(pose)
                            : never;
             });
-        least = error_after(best->T_left_from_target);
-    }
-    if (best) {
         best->range_error_before = std::sqrt(left_open(so_far, goal));
-        best->range_error_after = std::sqrt(least);
+        best->range_error_after = std::sqrt(error_after(best->T_left_from_target));
         outline(guess, target, *best);
     }
     return best;

@@ -81,11 +81,7 @@ inline std::optional<RigView> shown(const Rig& rig, const Target& target,
 inline RigidTransform held_about(const RigidTransform& pose, const Target& target,
                                  std::mt19937& random) {
     std::normal_distribution<double> normal;
-    const auto corners = corners_in_target_mm(target);
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const auto& corner : corners) {
-        middle += corner / static_cast<double>(corners.size());
-    }
+    const Eigen::Vector3d middle = middle_of(corners_in_target_mm(target));
     const Eigen::Vector3d axis(normal(random), normal(random), normal(random));
     RigidTransform T;
     T.R = Eigen::AngleAxisd(rad_from_deg(2.0) * axis.norm(), axis.normalized()).toRotationMatrix() *
