@@ -1,29 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "core/stereo/ray_pair.h"
 #include "core/tracking/patch_search.h"
+#include "core/tracking/plane_fit.h"
 
 namespace kambara {
 namespace {
 
 constexpr double grid_slope = 0.7;
-constexpr double first_step = 0.35;
-constexpr double last_step = 0.04;
-constexpr double steepest = 1.5;
-constexpr double bounds_ratio = 1.06;  // about the distance found, while the slope is refined
 constexpr double least_parallax_rad = 3.5e-4;
-constexpr double worth_refining = 0.3;  // likeness: less than this is no start
+constexpr double worth_fitting = 0.3;  // likeness: less than this is no start
+constexpr std::size_t most_starts = 3;
+constexpr double better_by = 0.02;  // likeness: less is no proof that it leans
+constexpr double same_place_px = 3.0;
 
-// The distance at which the left pixel's ray passes the match.
-std::optional<double> range_of(const Rig& rig, const Eigen::Vector2d& left_px,
-                               const PatchMatch& match) {
-    const auto rays = ray_pair(rig, left_px, match.pixel, least_parallax_rad);
-    if (!rays) {
-        return std::nullopt;
-    }
-    return (rays->meeting.midpoint_mm - rays->left.origin_mm).norm();
+// From the distance at which the left pixel's ray passes the match.
+std::optional<PlaneFit> fit_from(const ReferencePatch& patch, const Rig& rig,
+                                 const Image& right_grey, const PatchMatch& match) {
+    const auto rays = ray_pair(rig, patch.centre_px, match.pixel, least_parallax_rad);
+    return rays ? fit_plane(patch, rig, right_grey, rays->meeting.distance_a_mm) : std::nullopt;
+}
+
+void take(const PlaneFit& fit, const PatchSearchOptions& options, PatchMatch& match) {
+    match.slope = fit.slope;
+    match.pixel = fit.right_px;
+    match.covariance_px2 =
+        fit.covariance_px2 + options.floor_px * options.floor_px * Eigen::Matrix2d::Identity();
 }
 
 }  // namespace
@@ -31,50 +36,51 @@ std::optional<double> range_of(const Rig& rig, const Eigen::Vector2d& left_px,
 std::optional<PatchMatch> search_leaning(const ReferencePatch& patch, const Rig& rig,
                                          const Image& right_grey, const RangeBounds& bounds,
                                          int band_px, const PatchSearchOptions& options) {
-    std::optional<PatchMatch> best;
-    const auto attempt = [&](const Eigen::Vector2d& slope, const RangeBounds& within) {
-        ReferencePatch leaning = patch;
-        leaning.slope = slope;
-        auto found = search_epipolar(leaning, rig, right_grey, within, band_px, options);
-        if (!found || (best && found->likeness <= best->likeness)) {
-            return false;
-        }
-        found->slope = slope;
-        best = std::move(found);
-        return true;
-    };
+    std::vector<PatchMatch> starts;
+    ReferencePatch leaning = patch;
     for (const double across : {-grid_slope, 0.0, grid_slope}) {
         for (const double down : {-grid_slope, 0.0, grid_slope}) {
-            attempt({across, down}, bounds);
+            leaning.slope = {across, down};
+            auto found = search_epipolar(leaning, rig, right_grey, bounds, band_px, options);
+            if (found && found->likeness >= worth_fitting) {
+                found->slope = leaning.slope;
+                starts.push_back(std::move(*found));
+            }
         }
     }
-    const auto range_mm = best ? range_of(rig, patch.centre_px, *best) : std::nullopt;
-    if (!range_mm || best->likeness < worth_refining) {
-        return best;
-    }
-    const RangeBounds near_by{std::max(bounds.nearest_mm, *range_mm / bounds_ratio),
-                              std::min(bounds.farthest_mm, *range_mm * bounds_ratio)};
-    for (double step = first_step; step > last_step;) {
-        bool better = false;
-        const Eigen::Vector2d from = *best->slope;
-        for (const Eigen::Vector2d& way :
-             {Eigen::Vector2d(step, 0.0), Eigen::Vector2d(-step, 0.0), Eigen::Vector2d(0.0, step),
-              Eigen::Vector2d(0.0, -step)}) {
-            const Eigen::Vector2d slope = from + way;
-            better = (slope.norm() <= steepest && attempt(slope, near_by)) || better;
+    std::sort(starts.begin(), starts.end(),
+              [](const auto& a, const auto& b) { return a.likeness > b.likeness; });
+    starts.resize(std::min(starts.size(), most_starts));
+    std::optional<PlaneFit> fit;
+    for (const PatchMatch& start : starts) {
+        leaning.slope = *start.slope;
+        auto plane = fit_from(leaning, rig, right_grey, start);
+        if (plane && (!fit || plane->likeness > fit->likeness)) {
+            fit = std::move(plane);
         }
-        step *= better ? 1.0 : 0.5;
+    }
+    if (!fit) {
+        return std::nullopt;
     }
     // What else looks like it must be seen over all distances, with the slope found.
-    const Eigen::Vector2d slope = *best->slope;
-    ReferencePatch leaning = patch;
-    leaning.slope = slope;
-    auto over_all = search_epipolar(leaning, rig, right_grey, bounds, band_px, options);
-    if (over_all) {
-        over_all->slope = slope;
-        return over_all;
+    leaning.slope = fit->slope;
+    auto match = search_epipolar(leaning, rig, right_grey, bounds, band_px, options);
+    if (!match) {
+        return std::nullopt;
     }
-    return best;
+    match->slope = fit->slope;
+    if ((match->pixel - fit->right_px).norm() < same_place_px) {
+        take(*fit, options, *match);
+    }
+    return match;
+}
+
+void settle_slope(const ReferencePatch& patch, const Rig& rig, const Image& right_grey,
+                  const PatchSearchOptions& options, PatchMatch& match) {
+    const auto fit = fit_from(patch, rig, right_grey, match);
+    if (fit && fit->likeness > match.likeness + better_by) {
+        take(*fit, options, match);
+    }
 }
 
 }  // namespace kambara

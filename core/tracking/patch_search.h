@@ -80,11 +80,16 @@ std::optional<PatchMatch> search_epipolar_for(const ReferencePatch& look,
                                               int band_px, const PatchSearchOptions& options);
 
 /// As search_epipolar, for a target whose plane may lean and cameras that see it from very
-/// different sides: tried over a grid of slopes (up to 35 degrees), then the best slope is refined
-/// where it was found. About as costly as 30 searches: for a target that is new, not for every
-/// pair.
+/// different sides: tried over a grid of slopes (up to 35 degrees), then the plane is fitted from
+/// where the likest ones were found (plane_fit.h). About as costly as ten searches: for a target
+/// that is new, not for every pair. Empty where no plane fits.
 std::optional<PatchMatch> search_leaning(const ReferencePatch& patch, const Rig& rig,
                                          const Image& right_grey, const RangeBounds& bounds,
                                          int band_px, const PatchSearchOptions& options);
+
+/// Fits the plane where a match was found; where the pictures agree clearly better on it, the match
+/// gets its place, covariance and slope.
+void settle_slope(const ReferencePatch& patch, const Rig& rig, const Image& right_grey,
+                  const PatchSearchOptions& options, PatchMatch& match);
 
 }  // namespace kambara

@@ -173,11 +173,15 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
     auto anywhere =
         search_epipolar(patch, rig, grey, options.range, options.band_px, options.search);
     // How it leans is found once, while all else is new as well.
-    if (scope.try_slopes && !scope.range_known && !(anywhere && is_clear(options, *anywhere))) {
-        auto leaning =
-            search_leaning(patch, rig, grey, options.range, options.band_px, options.search);
-        if (leaning && (!anywhere || leaning->quality > anywhere->quality)) {
-            anywhere = std::move(leaning);
+    if (scope.try_slopes && !scope.range_known) {
+        if (!(anywhere && is_clear(options, *anywhere))) {
+            auto leaning =
+                search_leaning(patch, rig, grey, options.range, options.band_px, options.search);
+            if (leaning && (!anywhere || leaning->quality > anywhere->quality)) {
+                anywhere = std::move(leaning);
+            }
+        } else if (anywhere->quality < options.sure_quality) {
+            settle_slope(patch, rig, grey, options.search, *anywhere);
         }
     }
     if (!best || (anywhere && anywhere->quality > best->quality &&

@@ -58,8 +58,10 @@ Image drawn(const TexturedPlane& plane, const Camera& camera) {
                 if (!ray) {
                     continue;
                 }
+                const Eigen::Vector3d normal(-plane.slope.x(), -plane.slope.y(), 1.0);
                 const Eigen::Vector3d hit =
-                    ray->at((plane.origin_in_rig_mm.z() - ray->origin_mm.z()) / ray->direction.z());
+                    ray->at((plane.origin_in_rig_mm - ray->origin_mm).dot(normal) /
+                            ray->direction.dot(normal));
                 sum += plane.grey_at(hit.x() - plane.origin_in_rig_mm.x(),
                                      hit.y() - plane.origin_in_rig_mm.y());
             }

@@ -9,10 +9,11 @@
 
 namespace kambara::testing_support {
 
-/// A flat, endless, smooth pattern square to the rig's z axis, drawn for tests by casting one ray a
-/// sample through the lens: shares no drawing code with the project.
+/// A flat, endless, smooth pattern, by itself square to the rig's z axis, drawn for tests by
+/// casting one ray a sample through the lens: shares no drawing code with the project.
 struct TexturedPlane {
     Eigen::Vector3d origin_in_rig_mm{0.0, 0.0, 1500.0};  ///< moves the pattern with it
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();     ///< change of z by x and by y
     double contrast_grey = 55.0;
     double offset_grey = 125.0;
 
