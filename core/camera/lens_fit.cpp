@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -155,10 +156,8 @@ Result<FittedLens> fitted_brown(const Camera& camera, int terms) {
             p[8] = 0.0;
         }
     }
-    std::vector<int> free;
-    for (int i = 0; i < 4 + terms; ++i) {
-        free.push_back(i);
-    }
+    std::vector<int> free(static_cast<std::size_t>(4 + terms));
+    std::iota(free.begin(), free.end(), 0);
     auto best = lens_of(fitted(p, free, samples), terms, samples);
     if (terms == 8) {
         const auto other =

@@ -11,7 +11,7 @@ std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& point_in_r
 
 std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& point_in_rig_mm,
                                                Eigen::Matrix<double, 2, 3>& pixel_by_point) const {
-    const auto pixel = kambara::project(lens, T_camera_from_rig * point_in_rig_mm, pixel_by_point);
+    auto pixel = kambara::project(lens, T_camera_from_rig * point_in_rig_mm, pixel_by_point);
     if (pixel) {
         pixel_by_point = (pixel_by_point * T_camera_from_rig.R).eval();
     }

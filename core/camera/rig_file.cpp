@@ -250,6 +250,7 @@ using kambara::digits;
 
 std::vector<std::string> digits(const std::vector<double>& values) {
     std::vector<std::string> texts;
+    texts.reserve(values.size());
     for (const double value : values) {
         texts.push_back(digits(value));
     }

@@ -230,7 +230,10 @@ void HtmlReport::lines(std::string_view title, std::string_view across, std::str
         for (const Point& point : series[i].points) {
             const bool known = std::isfinite(point.x) && std::isfinite(point.y);
             if (known) {
-                path += (drawing ? "L" : "M") + x_of(point.x) + " " + y_of(point.y);
+                path.append(drawing ? "L" : "M")
+                    .append(x_of(point.x))
+                    .append(" ")
+                    .append(y_of(point.y));
                 body_ += "<circle cx=\"" + x_of(point.x) + "\" cy=\"" + y_of(point.y) +
                          "\" r=\"3\" fill=\"" + colour + "\"/>";
             }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -80,7 +81,7 @@ class Predictor {
     std::optional<RigChange> change_until(std::int64_t time_ns) const;
 
     std::shared_ptr<const VehicleTrack> vehicle_;
-    Filter filters_[2];
+    std::array<Filter, 2> filters_;
     bool use_acceleration_ = false;
     bool by_vehicle_ = false;
     int updates_ = 0;

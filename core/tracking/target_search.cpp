@@ -41,8 +41,7 @@ std::optional<PatchMatch> find_left(const Rig& rig, const TrackerOptions& option
         return std::nullopt;
     }
     const double reach_px = std::min(scope.reach_px, static_cast<double>(options.wide_radius_px));
-    const auto near_by =
-        look(std::max(options.window_radius_px, static_cast<int>(std::ceil(reach_px))));
+    auto near_by = look(std::max(options.window_radius_px, static_cast<int>(std::ceil(reach_px))));
     if (scope.lost) {
         return only_if_clear(near_by);
     }

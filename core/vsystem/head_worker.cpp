@@ -15,7 +15,7 @@ HeadWorker::HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading)
     : head_(std::move(head)), threading_(threading), limits_(head_->limits()) {
     poll();  // so that the first reading is one
     if (threading_ == Threading::own_thread) {
-        thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
+        thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
     }
 }
 
@@ -67,7 +67,7 @@ bool HeadWorker::move_failed() const {
     return !move_fault_.empty();
 }
 
-void HeadWorker::run(std::stop_token stop) {
+void HeadWorker::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         std::optional<Wish> wish;
         bool halt = false;

@@ -47,7 +47,7 @@ class HeadWorker {
     bool move_failed() const;
 
   private:
-    void run(std::stop_token stop);
+    void run(const std::stop_token& stop);
     struct Wish {
         HeadAngles angles;
         bool by_hand = false;

@@ -97,7 +97,7 @@ class LiveSource final : public FrameSource {
 
     void start(std::size_t which, GrabberBase& grabber) {
         Input& input = *inputs_[which];
-        input.thread = std::jthread([this, which, &input, &grabber](std::stop_token stop) {
+        input.thread = std::jthread([this, which, &input, &grabber](const std::stop_token& stop) {
             while (!stop.stop_requested()) {
                 auto frame = grabber.grab(stop);
                 const std::int64_t now_ns = clock_.now_ns();

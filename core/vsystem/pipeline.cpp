@@ -29,7 +29,7 @@ Frame prepared(Frame frame, std::optional<TemporalFilter>& filter) {
 
 }  // namespace
 
-Pipeline::Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head,
+Pipeline::Pipeline(Rig rig, const std::shared_ptr<PanTiltCamera>& head,
                    std::shared_ptr<VehicleFeed> vehicle, const VisionSystemOptions& options,
                    const Clock& clock, Publish publish, Announce announce)
     : rig_(std::move(rig)),

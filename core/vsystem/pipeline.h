@@ -23,9 +23,9 @@ class Pipeline {
     using Publish = std::function<void(SnapshotPtr)>;
     using Announce = std::function<void(Event)>;
 
-    Pipeline(Rig rig, std::shared_ptr<PanTiltCamera> head, std::shared_ptr<VehicleFeed> vehicle,
-             const VisionSystemOptions& options, const Clock& clock, Publish publish,
-             Announce announce);
+    Pipeline(Rig rig, const std::shared_ptr<PanTiltCamera>& head,
+             std::shared_ptr<VehicleFeed> vehicle, const VisionSystemOptions& options,
+             const Clock& clock, Publish publish, Announce announce);
 
     /// Tracks, positions, steers and publishes a snapshot.
     void process(ImageSet images, std::uint64_t frames_lost);

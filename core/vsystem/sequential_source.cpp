@@ -69,7 +69,7 @@ class SequentialSource final : public FrameSource {
                              std::to_string(frames()) + ".",
                          "Give a number from 0 to " + std::to_string(frames() - 1) + "."};
         }
-        const auto done = seek_all(frame);
+        auto done = seek_all(frame);
         if (done) {
             next_ = frame;
         } else if (!seek_all(next_)) {

@@ -61,7 +61,7 @@ class VisionSystem final : public VsystemInterface {
             if (auto* images = std::get_if<ImageSet>(&*next)) {
                 pipeline_.set_run(start_paused ? RunState::paused : RunState::running);
                 pipeline_.process(std::move(*images), source_->frames_lost());
-                thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
+                thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
                 return Done{};
             }
         }
@@ -149,7 +149,7 @@ class VisionSystem final : public VsystemInterface {
 
     bool flowing() const { return pipeline_.run() == RunState::running || steps_ > 0; }
 
-    void run(std::stop_token stop) {
+    void run(const std::stop_token& stop) {
         while (!stop.stop_requested()) {
             std::deque<WaitingCommand> commands;
             {
@@ -168,7 +168,7 @@ class VisionSystem final : public VsystemInterface {
         }
     }
 
-    void take_next(std::stop_token stop) {
+    void take_next(const std::stop_token& stop) {
         auto next = source_->next(stop);
         if (stop.stop_requested()) {
             return;

@@ -29,6 +29,7 @@ void blur_rows(float* levels, int width, int channels, const std::vector<double>
     const auto n = static_cast<std::size_t>(width * channels);
     const int height = static_cast<int>(sigmas_px.size());
     std::vector<std::vector<float>> weights;
+    weights.reserve(sigmas_px.size());
     for (const double sigma_px : sigmas_px) {
         weights.push_back(weights_of(sigma_px));
     }
