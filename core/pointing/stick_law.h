@@ -50,6 +50,8 @@ class StickLaw {
 
     /// `now_ns` on the readings' clock. As often as the head is to be told, every 50 ms at least.
     StickWish update(const PadReading& reading, std::int64_t now_ns);
+    /// All must be let go before anything counts again.
+    void disarm() { armed_ = false; }
 
   private:
     bool let_go(const PadReading& reading) const;
