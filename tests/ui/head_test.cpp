@@ -50,7 +50,7 @@ TEST_F(HeadInTheWindow, ArrowKeysTurnItAsLongAsTheyArePressed) {
         const HeadAngles from = page_.shown().head->angles;
         QTest::keyPress(&page_.left(), way.key);
         ASSERT_TRUE(page_.until([&] {
-            const HeadAngles& at = page_.shown().head->angles;
+            const HeadAngles at = page_.shown().head->angles;
             return way.pan * (at.pan_rad - from.pan_rad) +
                        way.tilt * (at.tilt_rad - from.tilt_rad) >
                    rad_from_deg(3.0);
