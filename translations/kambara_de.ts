@@ -1327,10 +1327,6 @@ Umschalt: drehen, Rad: näher</translation>
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>%1×  %2 wide</source>
-        <translation>%1×  %2 breit</translation>
-    </message>
-    <message>
         <source>Focus</source>
         <translation>Fokus</translation>
     </message>

@@ -39,6 +39,12 @@ LensControls::LensControls(QWidget* parent) : QWidget(parent) {
     show_head(std::nullopt);
 }
 
+QLabel* LensControls::label(const QString& text) {
+    auto* made = new QLabel(text, this);
+    labels_px_ = std::max(labels_px_, made->sizeHint().width());
+    return made;
+}
+
 QToolButton* LensControls::button(const QString& text, const char* object_name) {
     auto* made = new QToolButton(this);
     made->setText(text);
@@ -56,6 +62,7 @@ void LensControls::build_zoom(QGridLayout* grid) {
     zoom_->setAccessibleName(tr("Zoom"));
     for (QToolButton* one : {wider_, narrower_}) {
         one->setAutoRepeat(true);
+        one->setFixedWidth(one->fontMetrics().height() + 8);
         const double step = one == narrower_ ? zoom_step : -zoom_step;
         connect(one, &QToolButton::clicked, this,
                 [this, step] { zoom_->ask_for(zoom_->share() + step); });
@@ -64,14 +71,14 @@ void LensControls::build_zoom(QGridLayout* grid) {
     view_->setObjectName(QStringLiteral("zoomView"));
     view_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     const QString widest =
-        tr("%1\u00D7  %2 wide").arg(QLocale().toString(12.0, 'f', 1), degrees(0.85));
+        QStringLiteral("%1\u00D7  %2").arg(QLocale().toString(12.0, 'f', 1), degrees(0.85));
     view_->setMinimumWidth(view_->fontMetrics().horizontalAdvance(widest) + 4);
     auto* row = new QHBoxLayout;
     row->setSpacing(4);
     row->addWidget(wider_);
     row->addWidget(zoom_, 1);
     row->addWidget(narrower_);
-    grid->addWidget(new QLabel(tr("Zoom"), this), 0, 0);
+    grid->addWidget(label(tr("Zoom")), 0, 0);
     grid->addLayout(row, 0, 1);
     grid->addWidget(view_, 0, 2);
     connect(zoom_, &ShareSlider::share_asked, this,
@@ -84,7 +91,7 @@ void LensControls::build_focus(QGridLayout* grid) {
     focus_->setAccessibleName(tr("Focus"));
     autofocus_ = new QCheckBox(tr("Autofocus"), this);
     autofocus_->setObjectName(QStringLiteral("autofocus"));
-    grid->addWidget(new QLabel(tr("Focus"), this), 1, 0);
+    grid->addWidget(label(tr("Focus")), 1, 0);
     grid->addWidget(focus_, 1, 1);
     grid->addWidget(autofocus_, 1, 2, Qt::AlignRight);
     connect(focus_, &ShareSlider::share_asked, this,
@@ -112,7 +119,7 @@ void LensControls::build_presets(QGridLayout* grid) {
     row->addWidget(preset_);
     row->addWidget(keep_, 1);
     row->addWidget(recall_, 1);
-    grid->addWidget(new QLabel(tr("Preset"), this), 2, 0);
+    grid->addWidget(label(tr("Preset")), 2, 0);
     grid->addLayout(row, 2, 1, 1, 2);
     connect(keep_, &QToolButton::clicked, this,
             [this] { emit asked(KeepPreset{preset_->value()}); });
@@ -149,7 +156,7 @@ void LensControls::show_head(const std::optional<HeadSnapshot>& head) {
     focus_->show_share(lens.focus_share);
     autofocus_->setChecked(lens.autofocus);
     if (lens.horizontal_view_rad > 0.0) {
-        view_->setText(tr("%1\u00D7  %2 wide")
+        view_->setText(QStringLiteral("%1\u00D7  %2")
                            .arg(QLocale().toString(lens.magnification(), 'f', 1),
                                 degrees(lens.horizontal_view_rad)));
         view_->setToolTip(tr("Magnification, and the angle of view across, in air"));

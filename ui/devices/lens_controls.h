@@ -23,6 +23,8 @@ class LensControls : public QWidget {
   public:
     explicit LensControls(QWidget* parent = nullptr);
 
+    /// Width of the labels' column, for those of others above it.
+    int labels_px() const { return labels_px_; }
     void show_head(const std::optional<HeadSnapshot>& head);
 
   signals:
@@ -32,8 +34,10 @@ class LensControls : public QWidget {
     void build_zoom(QGridLayout* grid);
     void build_focus(QGridLayout* grid);
     void build_presets(QGridLayout* grid);
+    QLabel* label(const QString& text);
     QToolButton* button(const QString& text, const char* object_name);
 
+    int labels_px_ = 0;
     QToolButton* wider_;
     QToolButton* narrower_;
     ShareSlider* zoom_;

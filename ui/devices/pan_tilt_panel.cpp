@@ -32,6 +32,7 @@ PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, HandDrive* drive, QWi
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFocusPolicy(Qt::NoFocus);
     auto* inside = new QWidget(this);
+    setWidget(inside);
     auto* column = new QVBoxLayout(inside);
     column->setSpacing(4);
     column->setContentsMargins(6, 4, 6, 4);
@@ -52,11 +53,10 @@ PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, HandDrive* drive, QWi
     note_->setWordWrap(true);
     note_->hide();
     column->addWidget(note_);
-    build_speed(column);
     lens_ = new LensControls(inside);
+    build_speed(column);
     column->addWidget(lens_);
     build_buttons(column, actions);
-    setWidget(inside);
     connect(stick_, &HeadStick::held, drive_, [this](const QPointF& deflection) {
         drive_->hold(HandDrive::Source::stick, deflection);
     });
@@ -79,7 +79,10 @@ void PanTiltPanel::build_speed(QBoxLayout* column) {
     speed_text_ = new QLabel(widget());
     speed_text_->setObjectName(QStringLiteral("driveSpeedText"));
     speed_text_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row->addWidget(new QLabel(tr("Speed"), widget()));
+    auto* label = new QLabel(tr("Speed"), widget());
+    label->setMinimumWidth(lens_->labels_px());
+    row->setSpacing(6);
+    row->addWidget(label);
     row->addWidget(speed_, 1);
     row->addWidget(speed_text_);
     column->addLayout(row);
