@@ -923,6 +923,58 @@
         <source>what looks like it is farther away than it can have gone</source>
         <translation>was so aussieht, ist weiter weg, als es gelangt sein kann</translation>
     </message>
+    <message>
+        <source>The head was halted: nobody said any more that it is to go on turning.</source>
+        <translation>Der Kopf wurde angehalten: niemand sagte mehr, dass er sich weiterdrehen soll.</translation>
+    </message>
+    <message>
+        <source>The head can&apos;t be turned at a speed.</source>
+        <translation>Der Kopf kennt kein Drehen mit einer Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The head can&apos;t be reset.</source>
+        <translation>Der Kopf lässt sich nicht zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>The head has no zoom.</source>
+        <translation>Der Kopf hat keinen Zoom.</translation>
+    </message>
+    <message>
+        <source>The head has no focus.</source>
+        <translation>Der Kopf hat keinen verstellbaren Fokus.</translation>
+    </message>
+    <message>
+        <source>The head has no autofocus.</source>
+        <translation>Der Kopf hat keinen Autofokus.</translation>
+    </message>
+    <message>
+        <source>The head has no presets.</source>
+        <translation>Der Kopf hat keine Speicher.</translation>
+    </message>
+    <message>
+        <source>Use another head.</source>
+        <translation>Benutzen Sie einen anderen Kopf.</translation>
+    </message>
+    <message>
+        <source>There is no preset %1.</source>
+        <translation>Es gibt keinen Speicher %1.</translation>
+    </message>
+    <message>
+        <source>Give a number from %1 to %2.</source>
+        <translation>Geben Sie eine Zahl von %1 bis %2 an.</translation>
+    </message>
+    <message>
+        <source>Nothing is seen at that place of the pan-tilt picture.</source>
+        <translation>An dieser Stelle im Bild der Schwenkkamera ist nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>Choose one nearer to its middle.</source>
+        <translation>Wählen Sie eine näher an seiner Mitte.</translation>
+    </message>
+    <message>
+        <source>Calibrate it with the others first.</source>
+        <translation>Kalibrieren Sie sie zuerst mit den anderen.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -1229,6 +1281,17 @@
     </message>
 </context>
 <context>
+    <name>kambara::ui::HeadStick</name>
+    <message>
+        <source>Stick</source>
+        <translation>Steuerknüppel</translation>
+    </message>
+    <message>
+        <source>Press and hold to turn the head: the farther from the middle, the faster. The arrow keys do the same.</source>
+        <translation>Drücken und halten dreht den Kopf: je weiter von der Mitte, desto schneller. Die Pfeiltasten tun dasselbe.</translation>
+    </message>
+</context>
+<context>
     <name>kambara::ui::HoldPad</name>
     <message>
         <source>Hold the target</source>
@@ -1247,6 +1310,105 @@ Umschalt: drehen, Rad: näher</translation>
     <message>
         <source>Nothing to hold yet</source>
         <translation>Noch nichts zu halten</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::LensControls</name>
+    <message>
+        <source>Zoom out</source>
+        <translation>Herauszoomen</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Hineinzoomen</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Autofocus</source>
+        <translation>Autofokus</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Merken</translation>
+    </message>
+    <message>
+        <source>Recall</source>
+        <translation>Aufrufen</translation>
+    </message>
+    <message>
+        <source>There is no pan-tilt head.</source>
+        <translation>Es gibt keinen Schwenkkopf.</translation>
+    </message>
+    <message>
+        <source>This head has no zoom.</source>
+        <translation>Dieser Kopf hat keinen Zoom.</translation>
+    </message>
+    <message>
+        <source>From wide to tele</source>
+        <translation>Von Weitwinkel bis Tele</translation>
+    </message>
+    <message>
+        <source>Zooms out</source>
+        <translation>Zoomt heraus</translation>
+    </message>
+    <message>
+        <source>Zooms in</source>
+        <translation>Zoomt hinein</translation>
+    </message>
+    <message>
+        <source>From far to near; autofocus ends with it</source>
+        <translation>Von fern bis nah; beendet den Autofokus</translation>
+    </message>
+    <message>
+        <source>This head has no focus.</source>
+        <translation>Dieser Kopf hat keinen verstellbaren Fokus.</translation>
+    </message>
+    <message>
+        <source>The camera focuses by itself</source>
+        <translation>Die Kamera stellt selbst scharf</translation>
+    </message>
+    <message>
+        <source>This head has no autofocus.</source>
+        <translation>Dieser Kopf hat keinen Autofokus.</translation>
+    </message>
+    <message>
+        <source>This head has no presets.</source>
+        <translation>Dieser Kopf hat keine Speicher.</translation>
+    </message>
+    <message>
+        <source>Number of the preset</source>
+        <translation>Nummer des Speichers</translation>
+    </message>
+    <message>
+        <source>Keeps where the head looks, its zoom and focus</source>
+        <translation>Merkt sich, wohin der Kopf blickt, seinen Zoom und Fokus</translation>
+    </message>
+    <message>
+        <source>Goes back to what was kept under this number</source>
+        <translation>Kehrt zu dem zurück, was unter dieser Nummer gemerkt ist</translation>
+    </message>
+    <message>
+        <source>The head does not tell of its lens.</source>
+        <translation>Der Kopf sagt nichts über sein Objektiv.</translation>
+    </message>
+    <message>
+        <source>Magnification, and the angle of view across, in air</source>
+        <translation>Vergrößerung und waagrechter Bildwinkel, in Luft</translation>
+    </message>
+    <message>
+        <source>Share of the zoom&apos;s way; this lens&apos; angles are not known</source>
+        <translation>Anteil des Zoomwegs; die Bildwinkel dieses Objektivs sind nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -1343,6 +1505,10 @@ Umschalt: drehen, Rad: näher</translation>
         <source>&amp;Calibration</source>
         <translation>&amp;Kalibrierung</translation>
     </message>
+    <message>
+        <source>Click: what is there comes to the middle</source>
+        <translation>Klick: was dort ist, kommt in die Mitte</translation>
+    </message>
 </context>
 <context>
     <name>kambara::ui::OpenRecordingDialog</name>
@@ -1422,16 +1588,16 @@ Umschalt: drehen, Rad: näher</translation>
 <context>
     <name>kambara::ui::PanTiltPad</name>
     <message>
-        <source>Press or drag to look there. Arrow keys turn the head by 5°.</source>
-        <translation>Drücken oder ziehen, um dorthin zu blicken. Die Pfeiltasten drehen den Kopf um 5°.</translation>
-    </message>
-    <message>
         <source>Pan-tilt pad</source>
         <translation>Steuerfeld des Schwenkkopfs</translation>
     </message>
     <message>
         <source>no head</source>
         <translation>kein Kopf</translation>
+    </message>
+    <message>
+        <source>Press or drag to look there. The dot is where the head looks, the ring where it was told to.</source>
+        <translation>Drücken oder Ziehen richtet den Blick dorthin. Der Punkt zeigt, wohin der Kopf blickt, der Ring, wohin er soll.</translation>
     </message>
 </context>
 <context>
@@ -1455,6 +1621,22 @@ Umschalt: drehen, Rad: näher</translation>
     <message>
         <source>The target is beyond the head&apos;s reach.</source>
         <translation>Das Ziel liegt außerhalb der Reichweite des Kopfs.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast arrow keys, stick and gamepad turn the head at most. Zoomed in they turn it more slowly by themselves.</source>
+        <translation>Wie schnell Pfeiltasten, Steuerknüppel und Gamepad den Kopf höchstens drehen. Herangezoomt drehen sie ihn von selbst langsamer.</translation>
+    </message>
+    <message>
+        <source>This head can&apos;t be turned at a speed: use the map.</source>
+        <translation>Dieser Kopf kennt kein Drehen mit einer Geschwindigkeit: Benutzen Sie die Karte.</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
     </message>
 </context>
 <context>
@@ -1892,6 +2074,26 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
         <source>air</source>
         <translation>Luft</translation>
     </message>
+    <message>
+        <source>The gamepad: left stick turns the head, triggers zoom, the right one of the four buttons halts</source>
+        <translation>Das Gamepad: linker Stick dreht den Kopf, die Schultertasten zoomen, die rechte der vier Tasten hält an</translation>
+    </message>
+    <message>
+        <source>no gamepad</source>
+        <translation>kein Gamepad</translation>
+    </message>
+    <message>
+        <source>%1: let the sticks go first</source>
+        <translation>%1: erst die Sticks loslassen</translation>
+    </message>
+    <message>
+        <source>%1: ready</source>
+        <translation>%1: bereit</translation>
+    </message>
+    <message>
+        <source>%1: does not answer, let the sticks go</source>
+        <translation>%1: antwortet nicht, Sticks loslassen</translation>
+    </message>
 </context>
 <context>
     <name>kambara::ui::TrackPanel</name>
@@ -2188,6 +2390,18 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>The source is over: there are no pictures to calibrate from.</source>
         <translation>Die Quelle ist zu Ende: Es gibt keine Bilder zum Kalibrieren.</translation>
+    </message>
+    <message>
+        <source>&amp;Reset head</source>
+        <translation>Kopf &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Lets the head find its home position anew, as after it was turned by force</source>
+        <translation>Lässt den Kopf seine Grundstellung neu suchen, etwa nachdem er gewaltsam gedreht wurde</translation>
+    </message>
+    <message>
+        <source>This head can&apos;t be reset.</source>
+        <translation>Dieser Kopf lässt sich nicht zurücksetzen.</translation>
     </message>
 </context>
 </TS>

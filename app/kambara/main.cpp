@@ -2,12 +2,14 @@
 #include <QApplication>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "app/kambara/calibration_ports.h"
 #include "app/kambara/command_line.h"
 #include "app/kambara/language.h"
 #include "app/kambara/open_system.h"
 #include "core/base/clock.h"
+#include "hardware/gamepad/sdl_gamepad.h"
 #include "ui/base/theme.h"
 #include "ui/scene3d/gl_probe.h"
 #include "ui/shell/main_window.h"
@@ -49,6 +51,11 @@ int main(int argc, char** argv) {
     options.with_gl = options.with_gl && ui::can_draw_with_gl();
     options.calibration = calibration_ports();
     SteadyClock clock;
+    // Without a way to gamepads the rest works all the same, and the status says that there is
+    // none.
+    if (auto gamepad = open_sdl_gamepad(clock)) {
+        options.gamepad = std::move(*gamepad);
+    }
     const QString pan_tilt = CommandLine::pan_tilt(QApplication::arguments());
     ui::MainWindow window(system_opener(clock, pan_tilt.toStdString()), options);
     window.show();

@@ -7,6 +7,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/result.h"
+#include "core/devices/head_state.h"
 
 namespace kambara {
 
@@ -27,15 +28,6 @@ struct HeadNote {
     bool operator==(const HeadNote&) const = default;
 };
 
-/// What a head's camera looks through.
-struct LensStatus {
-    double zoom_share = 0.0;           ///< 0 wide, 1 tele
-    double horizontal_view_rad = 0.0;  ///< 0 where that is not known
-    double focus_share = 0.0;          ///< 0 far, 1 near
-    bool autofocus = true;
-    bool operator==(const LensStatus&) const = default;
-};
-
 /// A camera on a pan-tilt head. Calls may wait for the device, so they are made from a thread that
 /// may wait, never from the pipeline's; they may come from any thread, one at a time or not.
 class PanTiltCamera {
@@ -44,6 +36,8 @@ class PanTiltCamera {
 
     virtual std::string name() const = 0;
     virtual HeadLimits limits() const = 0;
+    /// What of the below it does not refuse as lacking.
+    virtual HeadAbilities abilities() const { return {}; }
 
     /// Starts towards the angles at full speed and returns at once; a newer call replaces an older.
     /// Refuses angles that are not finite or beyond the limits, and then keeps to what it was

@@ -72,6 +72,55 @@ struct SteerHead {
     bool automatic = true;
     bool operator==(const SteerHead&) const = default;
 };
+/// Turns the head by hand at these speeds, right and up positive. It ends by itself when it is not
+/// told again within `drive_renewal_s`: whoever holds a key or a stick tells it again and again, so
+/// that the head does not run on when they are gone. Faster than the head can: as fast as it can.
+struct DriveHead {
+    double pan_rad_s = 0.0;
+    double tilt_rad_s = 0.0;
+    bool operator==(const DriveHead&) const = default;
+};
+inline constexpr double drive_renewal_s = 0.2;
+/// Straight ahead, by hand.
+struct HomeHead {
+    bool operator==(const HomeHead&) const = default;
+};
+/// Lets the head find its home position anew, by hand.
+struct ResetHead {
+    bool operator==(const ResetHead&) const = default;
+};
+/// Turns the head by hand so that what is seen at a pixel of the pan-tilt picture comes to its
+/// middle. `seen_from`: where the head looked when that picture was taken; without it, where it
+/// looks now.
+struct CentreHead {
+    double x_px = 0.0;
+    double y_px = 0.0;
+    std::optional<HeadAngles> seen_from = std::nullopt;
+    bool operator==(const CentreHead&) const = default;
+};
+/// 0 wide to 1 tele. What is about the lens leaves the steering as it is.
+struct ZoomHead {
+    double share = 0.0;
+    bool operator==(const ZoomHead&) const = default;
+};
+/// 0 far to 1 near; autofocus ends with it.
+struct FocusHead {
+    double share = 0.0;
+    bool operator==(const FocusHead&) const = default;
+};
+struct AutofocusHead {
+    bool operator==(const AutofocusHead&) const = default;
+};
+/// Keeps where the head looks, and its lens, under a number from 0.
+struct KeepPreset {
+    int number = 0;
+    bool operator==(const KeepPreset&) const = default;
+};
+/// Goes back to what was kept, by hand.
+struct RecallPreset {
+    int number = 0;
+    bool operator==(const RecallPreset&) const = default;
+};
 /// Takes the latest pictures as one view of the calibration target.
 struct CaptureView {
     bool operator==(const CaptureView&) const = default;
@@ -109,9 +158,11 @@ struct TellVehicleMotion {
     bool operator==(const TellVehicleMotion&) const = default;
 };
 
-using Command = std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate,
-                             ClearTemplate, SteerTo, MoveHead, HaltHead, SteerHead, CaptureView,
-                             Calibrate, Flow, Seek, HoldFrame, TellVehicleMotion>;
+using Command =
+    std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate, ClearTemplate,
+                 SteerTo, MoveHead, HaltHead, SteerHead, CaptureView, Calibrate, Flow, Seek,
+                 HoldFrame, TellVehicleMotion, DriveHead, HomeHead, ResetHead, CentreHead, ZoomHead,
+                 FocusHead, AutofocusHead, KeepPreset, RecallPreset>;
 
 /// What a calibration came to.
 struct CalibrationOutcome {

@@ -2,33 +2,47 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <variant>
 #include <vector>
 
+#include "core/base/clock.h"
 #include "core/devices/pan_tilt_camera.h"
+#include "core/vsystem/command.h"
 
 namespace kambara {
 
-/// Talks to a head so that the pipeline need not wait for it (PTZ-2): the newest angles win, and
-/// what the head last said is there at once. Members may be called from any thread.
+/// Talks to a head so that the pipeline need not wait for it (PTZ-2): the newest motion wins,
+/// settings of the lens keep their order, and what the head last said is there at once. Members may
+/// be called from any thread.
 class HeadWorker {
   public:
     enum class Threading {
         own_thread,    ///< a live head: every call to it is made on a thread of the worker's own
         inline_calls,  ///< with a recording or a simulation in step: calls are made in `command`
-                       ///< and `reading`, so that a run gives the same result every time
+                       ///< and `reading`, so that a run gives the same result every time; only a
+                       ///< drive that is not renewed is ended by the worker's thread
     };
 
     struct Reading {
         HeadStatus status;
         std::string fault;
+        std::optional<LensStatus> lens;
+        HeadAbilities abilities;
     };
 
-    HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading);
+    /// What turns the head beside looking somewhere, and what only changes its lens or memory.
+    using Turn = std::variant<HomeHead, ResetHead, RecallPreset>;
+    using Setting = std::variant<ZoomHead, FocusHead, AutofocusHead, KeepPreset>;
+
+    /// `clock` outlives the worker and times what is driven.
+    HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading, const Clock& clock);
     ~HeadWorker();
 
     HeadLimits limits() const { return limits_; }
@@ -38,37 +52,59 @@ class HeadWorker {
     void follow(const HeadAim& aim);
     /// As the head says (PanTiltCamera).
     double lag_s() const { return head_->lag_s(); }
-    /// Stops the head; angles that still wait are dropped.
+    /// Turns at these speeds until told otherwise, at the longest for drive_renewal_s: told the
+    /// same again, it goes on.
+    void drive(const HeadAngles& speed_rad_s);
+    /// Ends a drive, if there is one; other motions go on.
+    void end_drive();
+    void turn(const Turn& turn);
+    void set(const Setting& setting);
+    /// Stops the head; motions that still wait are dropped.
     void halt();
     Reading reading();
     /// What happened to the head since the last call.
-    std::vector<HeadNote> take_notes() { return head_->take_notes(); }
+    std::vector<HeadNote> take_notes();
     /// The last command was refused by the device.
     bool move_failed() const;
 
   private:
-    void run(const std::stop_token& stop);
-    struct Wish {
+    struct Look {
         HeadAngles angles;
         bool by_hand = false;
         std::optional<HeadAim> aim = std::nullopt;
     };
+    struct Drive {
+        HeadAngles speed_rad_s;
+    };
+    using Wish = std::variant<Look, Drive, Turn>;
+
+    void run(const std::stop_token& stop);
     void put(const Wish& wish);
     void move(const Wish& wish);
+    Result<Done> carry_out(const Wish& wish);
+    void change(const Setting& setting);
     void stop_moving();
+    bool drive_is_over();
     void poll();
 
     std::shared_ptr<PanTiltCamera> head_;
     const Threading threading_;
+    const Clock& clock_;
     const HeadLimits limits_;
     mutable std::mutex mutex_;
     std::condition_variable_any commanded_;
     std::optional<Wish> waiting_;
     bool halt_waits_ = false;
+    std::deque<Setting> settings_;
+    std::optional<HeadAngles> driven_;  // at this speed,
+    std::int64_t drive_until_ns_ = 0;   // so long
     HeadStatus status_;
+    std::optional<LensStatus> lens_;
+    HeadAbilities abilities_;
     std::string move_fault_;
     std::string status_fault_;
-    std::jthread thread_;  // last, so that it ends before what it uses
+    std::vector<HeadNote> notes_;  // the worker's own
+    std::jthread thread_;          // last, so that it ends before what it uses
 };
 
 }  // namespace kambara

@@ -38,9 +38,11 @@ Pipeline::Pipeline(Rig rig, const std::shared_ptr<PanTiltCamera>& head,
       publish_(std::move(publish)),
       announce_(std::move(announce)),
       targets_(rig_, options.tracker, options.threads),
-      head_(head ? std::make_unique<HeadWorker>(head, options.every_frame
-                                                          ? HeadWorker::Threading::inline_calls
-                                                          : HeadWorker::Threading::own_thread)
+      head_(head ? std::make_unique<HeadWorker>(head,
+                                                options.every_frame
+                                                    ? HeadWorker::Threading::inline_calls
+                                                    : HeadWorker::Threading::own_thread,
+                                                clock)
                  : nullptr),
       vehicle_(std::move(vehicle)),
       steering_(options.steering, head ? head->limits() : HeadLimits{}) {
@@ -149,7 +151,8 @@ void Pipeline::publish() {
         const auto reading = head_->reading();
         snapshot->head =
             HeadSnapshot{reading.status.angles, commanded_,           reading.status.moving,
-                         steering_.automatic(), steering_.at_limit(), reading.fault};
+                         steering_.automatic(), steering_.at_limit(), reading.fault,
+                         reading.lens,          reading.abilities,    head_->limits()};
     }
     snapshot->rate_hz = rate_hz();
     snapshot->processing_ms = processing_ms_;
@@ -385,6 +388,9 @@ Result<Reply> Pipeline::steer_head(const SteerHead& command) {
     if (command.automatic && !rig_.pan_tilt) {
         return Error{"The rig file does not say where the pan-tilt camera is.",
                      "Calibrate it with the others, then hand over the steering."};
+    }
+    if (command.automatic) {
+        head_->end_drive();
     }
     steering_.set_automatic(command.automatic);
     publish();

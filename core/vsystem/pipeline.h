@@ -38,6 +38,10 @@ class Pipeline {
     Result<Reply> steer_to(const SteerTo& command);
     Result<Reply> move_head(const MoveHead& command);
     Result<Reply> halt_head();
+    Result<Reply> drive_head(const DriveHead& command);
+    Result<Reply> centre_head(const CentreHead& command);
+    Result<Reply> turn_head(const HeadWorker::Turn& command);
+    Result<Reply> set_head(const HeadWorker::Setting& command);
     Result<Reply> hold(const HoldFrame& command);
     Result<Reply> steer_head(const SteerHead& command);
     Result<Reply> tell_vehicle_motion(const TellVehicleMotion& command);
@@ -57,6 +61,7 @@ class Pipeline {
   private:
     const StereoFrame* remembered(std::int64_t frame) const;
     const StereoTracker* steered_tracker() const;
+    void take_by_hand(const std::optional<HeadAngles>& commanded);
     std::optional<HeadAim> aim_at(const StereoTracker& tracker) const;
     void steer();
     void publish();

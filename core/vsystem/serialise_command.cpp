@@ -53,6 +53,38 @@ Json fields_of(const HoldFrame& c) {
 Json fields_of(const SteerHead& c) {
     return {{"command", "steer_head"}, {"automatic", c.automatic}};
 }
+Json fields_of(const DriveHead& c) {
+    return {{"command", "drive_head"}, {"pan_rad_s", c.pan_rad_s}, {"tilt_rad_s", c.tilt_rad_s}};
+}
+Json fields_of(const HomeHead&) {
+    return {{"command", "home_head"}};
+}
+Json fields_of(const ResetHead&) {
+    return {{"command", "reset_head"}};
+}
+Json fields_of(const CentreHead& c) {
+    Json json{{"command", "centre_head"}, {"x_px", c.x_px}, {"y_px", c.y_px}};
+    if (c.seen_from) {
+        json["seen_from_pan_rad"] = c.seen_from->pan_rad;
+        json["seen_from_tilt_rad"] = c.seen_from->tilt_rad;
+    }
+    return json;
+}
+Json fields_of(const ZoomHead& c) {
+    return {{"command", "zoom_head"}, {"share", c.share}};
+}
+Json fields_of(const FocusHead& c) {
+    return {{"command", "focus_head"}, {"share", c.share}};
+}
+Json fields_of(const AutofocusHead&) {
+    return {{"command", "autofocus_head"}};
+}
+Json fields_of(const KeepPreset& c) {
+    return {{"command", "keep_preset"}, {"number", c.number}};
+}
+Json fields_of(const RecallPreset& c) {
+    return {{"command", "recall_preset"}, {"number", c.number}};
+}
 Json fields_of(const CaptureView&) {
     return {{"command", "capture_view"}};
 }
@@ -99,8 +131,60 @@ Flow read_flow(const Json& json) {
     throw Fault{"\"kind\" is none of run, pause, step"};
 }
 
+CentreHead read_centre(const Json& json) {
+    CentreHead centre{get<double>(json, "x_px"), get<double>(json, "y_px")};
+    if (json.contains("seen_from_pan_rad")) {
+        centre.seen_from = HeadAngles{get<double>(json, "seen_from_pan_rad"),
+                                      get<double>(json, "seen_from_tilt_rad")};
+    }
+    return centre;
+}
+
+std::optional<Command> read_head_command(const std::string& name, const Json& json) {
+    if (name == "move_head") {
+        return MoveHead{{get<double>(json, "pan_rad"), get<double>(json, "tilt_rad")}};
+    }
+    if (name == "halt_head") {
+        return HaltHead{};
+    }
+    if (name == "steer_head") {
+        return SteerHead{get<bool>(json, "automatic")};
+    }
+    if (name == "drive_head") {
+        return DriveHead{get<double>(json, "pan_rad_s"), get<double>(json, "tilt_rad_s")};
+    }
+    if (name == "home_head") {
+        return HomeHead{};
+    }
+    if (name == "reset_head") {
+        return ResetHead{};
+    }
+    if (name == "centre_head") {
+        return read_centre(json);
+    }
+    if (name == "zoom_head") {
+        return ZoomHead{get<double>(json, "share")};
+    }
+    if (name == "focus_head") {
+        return FocusHead{get<double>(json, "share")};
+    }
+    if (name == "autofocus_head") {
+        return AutofocusHead{};
+    }
+    if (name == "keep_preset") {
+        return KeepPreset{get<int>(json, "number")};
+    }
+    if (name == "recall_preset") {
+        return RecallPreset{get<int>(json, "number")};
+    }
+    return std::nullopt;
+}
+
 Command read_command(const Json& json) {
     const auto name = get<std::string>(json, "command");
+    if (const auto head = read_head_command(name, json)) {
+        return *head;
+    }
     if (name == "select_template") {
         return SelectTemplate{read_rectangle(json), get_optional<std::int64_t>(json, "frame"),
                               get_optional<int>(json, "target")};
@@ -120,20 +204,11 @@ Command read_command(const Json& json) {
     if (name == "steer_to") {
         return SteerTo{get<int>(json, "target")};
     }
-    if (name == "move_head") {
-        return MoveHead{{get<double>(json, "pan_rad"), get<double>(json, "tilt_rad")}};
-    }
-    if (name == "halt_head") {
-        return HaltHead{};
-    }
     if (name == "seek") {
         return Seek{get<std::int64_t>(json, "frame")};
     }
     if (name == "hold_frame") {
         return HoldFrame{get<std::int64_t>(json, "frame")};
-    }
-    if (name == "steer_head") {
-        return SteerHead{get<bool>(json, "automatic")};
     }
     if (name == "capture_view") {
         return CaptureView{};

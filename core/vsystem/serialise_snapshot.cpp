@@ -135,6 +135,21 @@ Json json_of(const HeadSnapshot& head) {
         json["commanded_pan_rad"] = head.commanded->pan_rad;
         json["commanded_tilt_rad"] = head.commanded->tilt_rad;
     }
+    if (head.lens) {
+        json["lens"] = {{"zoom_share", head.lens->zoom_share},
+                        {"horizontal_view_rad", head.lens->horizontal_view_rad},
+                        {"widest_view_rad", head.lens->widest_view_rad},
+                        {"focus_share", head.lens->focus_share},
+                        {"autofocus", head.lens->autofocus}};
+    }
+    json["abilities"] = {
+        {"drive", head.abilities.drive},         {"reset", head.abilities.reset},
+        {"zoom", head.abilities.zoom},           {"focus", head.abilities.focus},
+        {"autofocus", head.abilities.autofocus}, {"presets", head.abilities.presets}};
+    json["limits"] = {{"pan_rad", head.limits.pan_rad},
+                      {"tilt_rad", head.limits.tilt_rad},
+                      {"pan_speed_rad_s", head.limits.pan_speed_rad_s},
+                      {"tilt_speed_rad_s", head.limits.tilt_speed_rad_s}};
     return json;
 }
 
@@ -149,6 +164,20 @@ HeadSnapshot read_head(const Json& json) {
         head.commanded = HeadAngles{get<double>(json, "commanded_pan_rad"),
                                     get<double>(json, "commanded_tilt_rad")};
     }
+    if (json.contains("lens")) {
+        const Json& lens = json.at("lens");
+        head.lens =
+            LensStatus{get<double>(lens, "zoom_share"), get<double>(lens, "horizontal_view_rad"),
+                       get<double>(lens, "widest_view_rad"), get<double>(lens, "focus_share"),
+                       get<bool>(lens, "autofocus")};
+    }
+    const Json& able = field(json, "abilities");
+    head.abilities = {get<bool>(able, "drive"),     get<bool>(able, "reset"),
+                      get<bool>(able, "zoom"),      get<bool>(able, "focus"),
+                      get<bool>(able, "autofocus"), get<int>(able, "presets")};
+    const Json& limits = field(json, "limits");
+    head.limits = {get<double>(limits, "pan_rad"), get<double>(limits, "tilt_rad"),
+                   get<double>(limits, "pan_speed_rad_s"), get<double>(limits, "tilt_speed_rad_s")};
     return head;
 }
 

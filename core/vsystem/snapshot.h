@@ -9,6 +9,7 @@
 
 #include "core/base/angles.h"
 #include "core/base/error.h"
+#include "core/devices/head_state.h"
 #include "core/image/frame.h"
 #include "core/tracking/stereo_tracker.h"
 
@@ -36,6 +37,9 @@ struct HeadSnapshot {
     bool automatic = true;  ///< steered to the target; false: by hand
     bool at_limit = false;  ///< the target is beyond what the head can reach
     std::string fault;      ///< the device's last complaint; empty while all is well
+    std::optional<LensStatus> lens = std::nullopt;  ///< empty where the head does not tell
+    HeadAbilities abilities = {};
+    HeadLimits limits = {};
     bool operator==(const HeadSnapshot&) const = default;
 };
 

@@ -235,6 +235,15 @@ class VisionSystem final : public VsystemInterface {
             Result<Reply> operator()(const SteerTo& c) { return self.pipeline_.steer_to(c); }
             Result<Reply> operator()(const MoveHead& c) { return self.pipeline_.move_head(c); }
             Result<Reply> operator()(const HaltHead&) { return self.pipeline_.halt_head(); }
+            Result<Reply> operator()(const DriveHead& c) { return self.pipeline_.drive_head(c); }
+            Result<Reply> operator()(const CentreHead& c) { return self.pipeline_.centre_head(c); }
+            Result<Reply> operator()(const HomeHead& c) { return self.pipeline_.turn_head(c); }
+            Result<Reply> operator()(const ResetHead& c) { return self.pipeline_.turn_head(c); }
+            Result<Reply> operator()(const RecallPreset& c) { return self.pipeline_.turn_head(c); }
+            Result<Reply> operator()(const ZoomHead& c) { return self.pipeline_.set_head(c); }
+            Result<Reply> operator()(const FocusHead& c) { return self.pipeline_.set_head(c); }
+            Result<Reply> operator()(const AutofocusHead& c) { return self.pipeline_.set_head(c); }
+            Result<Reply> operator()(const KeepPreset& c) { return self.pipeline_.set_head(c); }
             Result<Reply> operator()(const Seek& c) { return self.seek(c); }
             Result<Reply> operator()(const HoldFrame& c) { return self.pipeline_.hold(c); }
             Result<Reply> operator()(const SteerHead& c) { return self.pipeline_.steer_head(c); }

@@ -99,7 +99,8 @@ std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const Simula
         if (!status) {
             return status.error();
         }
-        return world->pan_tilt_picture(frame, status->angles);
+        const auto lens = head->lens();
+        return world->pan_tilt_picture(frame, status->angles, lens ? lens->magnification() : 1.0);
     };
     return std::make_unique<SimulatedGrabber>(world, std::move(info), std::move(draw), start, pace);
 }

@@ -28,7 +28,7 @@ std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const Simula
                                                     FixedCamera camera, std::int64_t start,
                                                     const SimulatedPace& pace);
 
-/// The pan-tilt camera, drawn for where its head looks.
+/// The pan-tilt camera, drawn for where its head looks and how far it is zoomed in.
 std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const SimulatedWorld> world,
                                                     std::shared_ptr<PanTiltCamera> head,
                                                     std::int64_t start, const SimulatedPace& pace);

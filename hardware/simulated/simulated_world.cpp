@@ -69,12 +69,12 @@ Image SimulatedWorld::fixed_picture(const Views<Level>& views, FixedCamera camer
 
 template <class Level>
 Image SimulatedWorld::turned_picture(const Views<Level>& views, std::int64_t frame,
-                                     const HeadAngles& angles) const {
+                                     const HeadAngles& angles, double magnification) const {
     const Camera& camera = *rig_.pan_tilt;
     const RigidTransform T_turned_from_home{R_home_from_turned(angles).transpose(),
                                             Eigen::Vector3d::Zero()};
     const auto levels = views.pan_tilt.draw_turned(
-        time_s(frame), T_turned_from_home * T_camera_from_world(camera, frame));
+        time_s(frame), T_turned_from_home * T_camera_from_world(camera, frame), magnification);
     return noise_.digitised(numbers(levels), camera.width_px, camera.height_px,
                             Channels<Level>::count, pan_tilt_number, frame);
 }
@@ -83,9 +83,10 @@ Image SimulatedWorld::picture(FixedCamera camera, std::int64_t frame) const {
     return colour_ ? fixed_picture(*colour_, camera, frame) : fixed_picture(*grey_, camera, frame);
 }
 
-Image SimulatedWorld::pan_tilt_picture(std::int64_t frame, const HeadAngles& angles) const {
-    return colour_ ? turned_picture(*colour_, frame, angles)
-                   : turned_picture(*grey_, frame, angles);
+Image SimulatedWorld::pan_tilt_picture(std::int64_t frame, const HeadAngles& angles,
+                                       double magnification) const {
+    return colour_ ? turned_picture(*colour_, frame, angles, magnification)
+                   : turned_picture(*grey_, frame, angles, magnification);
 }
 
 RigidTransform SimulatedWorld::T_left_from_target(std::int64_t frame) const {

@@ -34,8 +34,9 @@ class SimulatedWorld {
 
     /// Grey, or of three channels where the profile wants colour.
     Image picture(FixedCamera camera, std::int64_t frame) const;
-    /// The pan-tilt camera's picture with the head at the angles.
-    Image pan_tilt_picture(std::int64_t frame, const HeadAngles& angles) const;
+    /// The pan-tilt camera's picture with the head at the angles and its lens zoomed in so far.
+    Image pan_tilt_picture(std::int64_t frame, const HeadAngles& angles,
+                           double magnification = 1.0) const;
 
     /// Pose of the target in the left camera's frame: the moving target's centre and sides, or a
     /// calibration target's own frame.
@@ -66,8 +67,8 @@ class SimulatedWorld {
     template <class Level>
     Image fixed_picture(const Views<Level>& views, FixedCamera camera, std::int64_t frame) const;
     template <class Level>
-    Image turned_picture(const Views<Level>& views, std::int64_t frame,
-                         const HeadAngles& angles) const;
+    Image turned_picture(const Views<Level>& views, std::int64_t frame, const HeadAngles& angles,
+                         double magnification) const;
 
     SimulatedProfile profile_;
     Rig rig_;

@@ -63,6 +63,11 @@ HeadLimits EviCamera::limits() const {
     return model ? model->limits() : HeadLimits{};
 }
 
+HeadAbilities EviCamera::abilities() const {
+    const auto model = driver_.model();
+    return {true, true, true, true, true, model ? model->presets : 0};
+}
+
 Result<Done> EviCamera::look(const HeadAngles& angles, bool by_hand) {
     const HeadLimits most = limits();
     // Written so that what is not a number is refused as well.

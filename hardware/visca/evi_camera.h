@@ -30,6 +30,7 @@ class EviCamera final : public PanTiltCamera {
     std::string name() const override { return name_; }
     /// Of the model; before that is known an EVI-D30's.
     HeadLimits limits() const override;
+    HeadAbilities abilities() const override;
     Result<Done> move_to(const HeadAngles& angles) override;
     Result<Done> follow(const HeadAim& aim) override;
     double lag_s() const override { return driver_.lag_s(); }

@@ -378,6 +378,7 @@ void HeadDriver::handle_answer(const Outcome& outcome, std::int64_t now_ns) {
             if (outcome.message.op == Op::ask_zoom) {
                 lens.zoom_share = static_cast<double>(values[0]) / model_->zoom.tele;
                 lens.horizontal_view_rad = model_->zoom.horizontal_view_rad(values[0]);
+                lens.widest_view_rad = model_->zoom.horizontal_view_rad(0.0);
             } else if (outcome.message.op == Op::ask_focus) {
                 lens.focus_share = static_cast<double>(values[0] - model_->focus_far) /
                                    std::max(1, std::abs(model_->focus_near - model_->focus_far));

@@ -54,9 +54,10 @@ const std::map<std::string, std::set<std::string>>& allowed_includes() {
         {"hardware/gamepad", devices},
         {"hardware/simulated", with(with(devices, camera), {"core/calibration/target.h"})},
         {"ui",
-         with(with(camera, image), {"core/vsystem/vsystem_interface.h", "core/vsystem/command.h",
-                                    "core/vsystem/snapshot.h", "core/tracking/track_state.h",
-                                    "core/stereo/position.h", "ui/calibration"})},
+         with(with(camera, image),
+              {"core/vsystem/vsystem_interface.h", "core/vsystem/command.h",
+               "core/vsystem/snapshot.h", "core/tracking/track_state.h", "core/stereo/position.h",
+               "ui/calibration", "core/devices/gamepad.h", "core/pointing/stick_law.h"})},
         // The guided session's window: the session is core/calibration's.
         {"ui/calibration",
          with(with(camera, image), {"core/calibration", "core/vsystem/snapshot.h", "ui"})},

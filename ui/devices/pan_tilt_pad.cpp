@@ -16,7 +16,9 @@ constexpr double margin = 8.0;
 }  // namespace
 
 PanTiltPad::PanTiltPad(QWidget* parent) : QWidget(parent) {
-    setToolTip(tr("Press or drag to look there. Arrow keys turn the head by 5\u00B0."));
+    setToolTip(
+        tr("Press or drag to look there. The dot is where the head looks, the ring where it was "
+           "told to."));
     setAccessibleName(tr("Pan-tilt pad"));
 }
 
@@ -28,8 +30,10 @@ void PanTiltPad::show_head(const std::optional<HeadSnapshot>& head) {
 }
 
 void PanTiltPad::set_limits(const HeadLimits& limits) {
-    limits_ = limits;
-    update();
+    if (limits != limits_) {
+        limits_ = limits;
+        update();
+    }
 }
 
 QRectF PanTiltPad::field() const {

@@ -2,52 +2,133 @@
 #include "ui/devices/pan_tilt_panel.h"
 
 #include <QAction>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollBar>
+#include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/base/core_text.h"
 #include "ui/base/quantities.h"
 #include "ui/base/theme.h"
+#include "ui/devices/hand_drive.h"
+#include "ui/devices/head_stick.h"
+#include "ui/devices/lens_controls.h"
 #include "ui/devices/pan_tilt_pad.h"
 
 namespace kambara::ui {
+namespace {
 
-PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, QWidget* parent) : QWidget(parent) {
-    auto* column = new QVBoxLayout(this);
+constexpr int first_speed_percent = 30;
+
+}  // namespace
+
+PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, HandDrive* drive, QWidget* parent)
+    : QScrollArea(parent), drive_(drive) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus);
+    auto* inside = new QWidget(this);
+    setWidget(inside);
+    auto* column = new QVBoxLayout(inside);
     column->setSpacing(4);
-    pad_ = new PanTiltPad(this);
+    column->setContentsMargins(6, 4, 6, 4);
+    auto* row = new QHBoxLayout;
+    stick_ = new HeadStick(inside);
+    stick_->setObjectName(QStringLiteral("headStick"));
+    pad_ = new PanTiltPad(inside);
     pad_->setObjectName(QStringLiteral("panTiltPad"));
-    column->addWidget(pad_, 1);
-    angles_ = new QLabel(this);
+    row->addWidget(stick_);
+    row->addWidget(pad_, 1);
+    column->addLayout(row, 1);
+    angles_ = new QLabel(inside);
     angles_->setObjectName(QStringLiteral("headAngles"));
     angles_->setWordWrap(true);
     column->addWidget(angles_);
-    note_ = new QLabel(this);
+    note_ = new QLabel(inside);
     note_->setObjectName(QStringLiteral("headNote"));
     note_->setWordWrap(true);
+    note_->hide();
     column->addWidget(note_);
+    lens_ = new LensControls(inside);
+    build_speed(column);
+    column->addWidget(lens_);
+    build_buttons(column, actions);
+    connect(stick_, &HeadStick::held, drive_, [this](const QPointF& deflection) {
+        drive_->hold(HandDrive::Source::stick, deflection);
+    });
+    connect(stick_, &HeadStick::let_go, drive_,
+            [this] { drive_->release(HandDrive::Source::stick); });
+    connect(drive_, &HandDrive::dropped, stick_, &HeadStick::spring_back);
+    connect(lens_, &LensControls::asked, this, &PanTiltPanel::asked);
+}
+
+void PanTiltPanel::build_speed(QBoxLayout* column) {
     auto* row = new QHBoxLayout;
-    row->setSpacing(4);
+    speed_ = new QSlider(Qt::Horizontal, widget());
+    speed_->setObjectName(QStringLiteral("driveSpeed"));
+    speed_->setAccessibleName(tr("Speed"));
+    speed_->setRange(5, 100);
+    speed_->setPageStep(10);
+    speed_->setToolTip(
+        tr("How fast arrow keys, stick and gamepad turn the head at most. Zoomed in they turn it "
+           "more slowly by themselves."));
+    speed_text_ = new QLabel(widget());
+    speed_text_->setObjectName(QStringLiteral("driveSpeedText"));
+    speed_text_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* label = new QLabel(tr("Speed"), widget());
+    label->setMinimumWidth(lens_->labels_px());
+    row->setSpacing(6);
+    row->addWidget(label);
+    row->addWidget(speed_, 1);
+    row->addWidget(speed_text_);
+    column->addLayout(row);
+    connect(speed_, &QSlider::valueChanged, this,
+            [this](int value) { drive_->set_speed_share(0.01 * value); });
+    speed_->setValue(first_speed_percent);
+}
+
+void PanTiltPanel::build_buttons(QBoxLayout* column, const QList<QAction*>& actions) {
+    constexpr int columns = 2;
+    auto* grid = new QGridLayout;
+    grid->setSpacing(4);
+    int place = 0;
     for (QAction* action : actions) {
-        auto* button = new QToolButton(this);
+        auto* button = new QToolButton(widget());
         button->setDefaultAction(action);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        row->addWidget(button);
+        grid->addWidget(button, place / columns, place % columns);
+        ++place;
     }
-    column->addLayout(row);
+    column->addLayout(grid);
+}
+
+QSize PanTiltPanel::sizeHint() const {
+    return widget() != nullptr ? widget()->sizeHint() : QScrollArea::sizeHint();
 }
 
 void PanTiltPanel::show_snapshot(const SnapshotPtr& snapshot) {
     const auto& head = snapshot->head;
+    const bool drives = head && head->abilities.drive;
     pad_->setEnabled(head.has_value());
     pad_->show_head(head);
+    stick_->allow(drives, head ? tr("This head can't be turned at a speed: use the map.")
+                               : tr("There is no pan-tilt head."));
+    speed_->setEnabled(drives);
+    drive_->show_head(head);
+    lens_->show_head(head);
+    const HeadLimits limits = head ? head->limits : HeadLimits{};
+    speed_text_->setText(
+        tr("%1/s").arg(degrees(0.01 * speed_->value() * limits.pan_speed_rad_s, 0)));
     if (!head) {
         angles_->setText(tr("There is no pan-tilt head."));
-        note_->clear();
+        note_->hide();
         return;
     }
+    pad_->set_limits(limits);
     angles_->setText(tr("pan %1   tilt %2   %3")
                          .arg(degrees(head->angles.pan_rad), degrees(head->angles.tilt_rad),
                               head->automatic ? tr("steered to the target") : tr("by hand")));
@@ -58,6 +139,7 @@ void PanTiltPanel::show_snapshot(const SnapshotPtr& snapshot) {
         note_->setText(head->at_limit ? tr("The target is beyond the head's reach.") : QString());
         note_->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
     }
+    note_->setVisible(!note_->text().isEmpty());
 }
 
 }  // namespace kambara::ui

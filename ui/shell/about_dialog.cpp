@@ -23,7 +23,8 @@ QString libraries() {
           << QStringLiteral("Highway " KAMBARA_HIGHWAY_VERSION " (Apache-2)")
           << QStringLiteral("FFTW " KAMBARA_FFTW_VERSION " (GPL-2)")
           << QStringLiteral("yaml-cpp " KAMBARA_YAML_CPP_VERSION " (MIT)")
-          << QStringLiteral("nlohmann-json " KAMBARA_JSON_VERSION " (MIT)");
+          << QStringLiteral("nlohmann-json " KAMBARA_JSON_VERSION " (MIT)")
+          << QStringLiteral("SDL " KAMBARA_SDL_VERSION " (zlib)");
     return names.join(QStringLiteral(", "));
 }
 

@@ -13,12 +13,10 @@
 #include <QMimeData>
 #include <QStatusBar>
 #include <QUrl>
-#include <algorithm>
 
-#include "core/base/angles.h"
 #include "ui/base/core_text.h"
 #include "ui/calibration/calibration_window.h"
-#include "ui/devices/pan_tilt_pad.h"
+#include "ui/devices/hand_drive.h"
 #include "ui/devices/pan_tilt_panel.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/scene3d/scene_view.h"
@@ -39,7 +37,6 @@ namespace {
 
 constexpr int numbers_ms = 100;  // people read no faster
 constexpr int notice_ms = 10000;
-constexpr double jog_step_rad = rad_from_deg(5.0);
 
 bool is_simulation(const SourceRequest& request) {
     return request.left.starts_with("sim:");
@@ -86,6 +83,7 @@ MainWindow::MainWindow(SystemOpener opener, const WindowOptions& options, QWidge
     build_menus();
     build_tools();
     connect_actions();
+    connect_head();
     connect_link();
     restore_layout();
     numbers_.start(numbers_ms);
@@ -118,14 +116,12 @@ void MainWindow::connect_actions() {
         std::vector<Command> commands{StopTracking{}};
         if (newest_ && newest_->head) {
             commands.emplace_back(HaltHead{});
+            drive_->drop_all();
         }
         link_->send(std::move(commands));
     });
     on(actions_->update_template, [this] { link_->send(UpdateTemplate{}); });
     on(actions_->clear, [this] { link_->send(ClearTemplate{}); });
-    on(actions_->steer, [this](bool automatic) { link_->send(SteerHead{automatic}); });
-    on(actions_->home, [this] { link_->send(MoveHead{{0.0, 0.0}}); });
-    on(actions_->halt, [this] { link_->send(HaltHead{}); });
     on(actions_->stretch_map, [this](bool on_now) { map_->set_stretched(on_now); });
     on(actions_->default_layout, [this] { lay_out(); });
     on(actions_->calibrate, [this] { show_calibration(); });
@@ -137,9 +133,6 @@ void MainWindow::connect_actions() {
     connect(left_, &VideoView::frozen_changed, actions_->freeze, &QAction::setChecked);
     connect(playback_, &PlaybackBar::seek_asked, this,
             [this](qint64 frame) { link_->send(Seek{frame}); });
-    connect(head_->pad(), &PanTiltPad::asked_for, this, [this](double pan_rad, double tilt_rad) {
-        link_->send(MoveHead{{pan_rad, tilt_rad}});
-    });
     connect(&numbers_, &QTimer::timeout, this, &MainWindow::show_numbers);
     connect(&notice_time_, &QTimer::timeout, notice_, &QLabel::hide);
 }
@@ -190,6 +183,7 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
     rig_ = rig;
     recording_ = !is_simulation(request);
     newest_.reset();
+    drive_->drop_all();
     for (VideoView* view : {left_, right_, pan_tilt_}) {
         view->clear();
     }
@@ -258,44 +252,12 @@ void MainWindow::select(const Rectangle& rectangle, qint64 frame, bool one_more)
     link_->send({SelectTemplate{rectangle, frame, target}, StartTracking{target}});
 }
 
-void MainWindow::jog(double pan_steps, double tilt_steps) {
-    if (!newest_ || !newest_->head) {
-        return;
-    }
-    // From where it was told to go, so that quick presses add up.
-    const HeadAngles from = newest_->head->commanded.value_or(newest_->head->angles);
-    const HeadLimits limits;
-    link_->send(MoveHead{
-        {std::clamp(from.pan_rad + pan_steps * jog_step_rad, -limits.pan_rad, limits.pan_rad),
-         std::clamp(from.tilt_rad + tilt_steps * jog_step_rad, -limits.tilt_rad,
-                    limits.tilt_rad)}});
-}
-
-void MainWindow::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-        case Qt::Key_Left:
-            jog(-1.0, 0.0);
-            break;
-        case Qt::Key_Right:
-            jog(1.0, 0.0);
-            break;
-        case Qt::Key_Up:
-            jog(0.0, 1.0);
-            break;
-        case Qt::Key_Down:
-            jog(0.0, -1.0);
-            break;
-        default:
-            QMainWindow::keyPressEvent(event);
-    }
-}
-
 // A dialog keeps shortcuts from the window behind it; the key that stops the head must work all the
 // same.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress && QApplication::activeModalWidget() != nullptr &&
         QKeySequence(static_cast<QKeyEvent*>(event)->key()) == actions_->halt->shortcut()) {
-        link_->send(HaltHead{});
+        halt_head();
         return true;
     }
     return QMainWindow::eventFilter(watched, event);

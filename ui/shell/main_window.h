@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <memory>
 
+#include "core/devices/gamepad.h"
 #include "ui/shell/system_link.h"
 
 class QDockWidget;
@@ -16,6 +17,7 @@ namespace kambara::ui {
 class CalibrationWindow;
 class CorrelationMapView;
 class EventLog;
+class HandDrive;
 class OpenRecordingDialog;
 class PanTiltPanel;
 class PlaybackBar;
@@ -32,6 +34,8 @@ struct WindowOptions {
     SourceRequest first;       ///< opened at once
     SourceRequest simulation;  ///< what "Simulated rig" opens
     CalibrationPorts calibration = {};
+    /// Null where there is no way to one.
+    std::shared_ptr<const GamepadBase> gamepad = nullptr;
 };
 
 /// twoView's successor: live views, target, map, 3-D view, plots, head and events in one window.
@@ -48,7 +52,6 @@ class MainWindow : public QMainWindow {
 
   protected:
     void closeEvent(QCloseEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -71,7 +74,8 @@ class MainWindow : public QMainWindow {
     void show_snapshot(const SnapshotPtr& snapshot);
     void show_numbers();
     void show_refusal(const Error& error);
-    void jog(double pan_steps, double tilt_steps);
+    void connect_head();
+    void halt_head();
     void select(const Rectangle& rectangle, qint64 frame, bool one_more);
 
     const WindowOptions options_;
@@ -86,6 +90,7 @@ class MainWindow : public QMainWindow {
     CorrelationMapView* map_ = nullptr;
     PlotsPanel* plots_ = nullptr;
     SceneView* scene_ = nullptr;
+    HandDrive* drive_ = nullptr;
     PanTiltPanel* head_ = nullptr;
     EventLog* events_ = nullptr;
     StatusFields* status_ = nullptr;

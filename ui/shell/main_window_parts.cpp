@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ui/base/theme.h"
+#include "ui/devices/hand_drive.h"
 #include "ui/devices/pan_tilt_panel.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/scene3d/scene_view.h"
@@ -73,7 +74,13 @@ void MainWindow::build_docks() {
     track_->setObjectName(QStringLiteral("trackPanel"));
     pan_tilt_ = new VideoView(ViewedCamera::pan_tilt, tr("Pan-tilt"), this);
     pan_tilt_->setObjectName(QStringLiteral("panTiltView"));
-    head_ = new PanTiltPanel({actions_->home, actions_->steer, actions_->halt}, this);
+    pan_tilt_->allow_pointing(true);
+    pan_tilt_->setCursor(Qt::CrossCursor);
+    pan_tilt_->setToolTip(tr("Click: what is there comes to the middle"));
+    drive_ = new HandDrive(this);
+    head_ = new PanTiltPanel(
+        {actions_->home, actions_->reset_head, actions_->steer, actions_->halt}, drive_, this);
+    head_->setObjectName(QStringLiteral("headPanel"));
     map_ = new CorrelationMapView(this);
     map_->setObjectName(QStringLiteral("mapView"));
     scene_ = new SceneView(options_.with_gl, this);
@@ -122,7 +129,7 @@ void MainWindow::lay_out() {
         plots->raise();
         resizeDocks({map, scene, plots}, {240, 440, 540}, Qt::Horizontal);
         resizeDocks({map, scene, plots}, {300, 300, 300}, Qt::Vertical);
-        resizeDocks({track, picture, head}, {260, 280, 220}, Qt::Vertical);
+        resizeDocks({track, picture, head}, {230, 250, 330}, Qt::Vertical);
     }
     track->raise();
 }
@@ -158,7 +165,7 @@ void MainWindow::build_menus() {
     add(tr("&Recording"), {actions_->play, actions_->step});
     add(tr("&Target"), {actions_->freeze, actions_->select, actions_->start, actions_->stop,
                         actions_->update_template, actions_->clear});
-    add(tr("&Head"), {actions_->steer, actions_->home, actions_->halt});
+    add(tr("&Head"), {actions_->steer, actions_->home, actions_->reset_head, actions_->halt});
     add(tr("&Calibration"), {actions_->calibrate});
     QMenu* view = add(tr("&View"), {actions_->stretch_map});
     view->addSeparator();

@@ -4,6 +4,7 @@
 #include <QObject>
 
 #include "core/camera/rig.h"
+#include "core/pointing/stick_law.h"
 #include "core/vsystem/snapshot.h"
 
 class QLabel;
@@ -19,11 +20,13 @@ class StatusFields : public QObject {
 
     void show_source(const QString& title, const Rig& rig);
     void show_snapshot(const Snapshot& snapshot);
+    void show_gamepad(PadState state, const QString& name);
 
   private:
     QLabel* add(const char* object_name, const QString& help, const QString& widest);
 
     QStatusBar* bar_;
+    QLabel* gamepad_;
     QLabel* source_;
     QLabel* medium_;
     QLabel* rate_;

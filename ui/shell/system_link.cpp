@@ -113,17 +113,38 @@ void SystemLink::fetch() {
 }
 
 void SystemLink::send(std::vector<Command> commands) {
-    enqueue([this, commands = std::move(commands)] {
-        if (!system_) {
+    enqueue([this, commands = std::move(commands)] { execute(commands); });
+}
+
+void SystemLink::send_newest(const Command& command) {
+    const std::size_t kind = command.index();
+    {
+        std::lock_guard lock(mutex_);
+        if (!newest_of_kind_.insert_or_assign(kind, command).second) {
             return;
         }
-        for (const Command& command : commands) {
-            if (const auto reply = system_->execute(command); !reply) {
-                on_window([this, error = reply.error()] { emit refused(error); });
-                return;
-            }
+    }
+    enqueue([this, kind] {
+        std::vector<Command> commands;
+        {
+            std::lock_guard lock(mutex_);
+            const auto waiting = newest_of_kind_.extract(kind);
+            commands.push_back(waiting.mapped());
         }
+        execute(commands);
     });
+}
+
+void SystemLink::execute(const std::vector<Command>& commands) {
+    if (!system_) {
+        return;
+    }
+    for (const Command& command : commands) {
+        if (const auto reply = system_->execute(command); !reply) {
+            on_window([this, error = reply.error()] { emit refused(error); });
+            return;
+        }
+    }
 }
 
 }  // namespace kambara::ui

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -53,6 +54,8 @@ class SystemLink : public QObject {
     /// Carries the commands out one after the other, up to the first that is refused.
     void send(std::vector<Command> commands);
     void send(const Command& command) { send(std::vector<Command>{command}); }
+    /// One that a newer one of its kind replaces while it waits for its turn: a speed, a slider.
+    void send_newest(const Command& command);
     bool busy() const { return under_way_ > 0; }
     /// Of the system that was opened last.
     const TargetHand& hand() const { return hand_; }
@@ -67,6 +70,7 @@ class SystemLink : public QObject {
 
   private:
     void enqueue(std::function<void()> work);
+    void execute(const std::vector<Command>& commands);
     void run(std::stop_token stop);
     void on_window(std::function<void()> work);
     void watch();
@@ -84,6 +88,7 @@ class SystemLink : public QObject {
     std::mutex mutex_;
     std::condition_variable_any arrived_;
     std::deque<std::function<void()>> work_;
+    std::map<std::size_t, Command> newest_of_kind_;
     // The worker's alone; observations end before what they observe.
     std::unique_ptr<VsystemInterface> system_;
     std::unique_ptr<Observation> snapshots_;

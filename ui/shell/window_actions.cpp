@@ -41,6 +41,10 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
     home = make(tr("&Home"), QStringLiteral("H"), tr("Turns the head straight ahead"), "home");
     halt = make(tr("Hal&t head"), QStringLiteral("F12"),
                 tr("Stops the head at once, from anywhere in the program"), "halt");
+    reset_head = make(tr("&Reset head"), QString(),
+                      tr("Lets the head find its home position anew, as after it was turned by "
+                         "force"),
+                      "resetHead");
     halt->setShortcutContext(Qt::ApplicationShortcut);
     stop->setShortcutContext(Qt::ApplicationShortcut);
     calibrate = make(tr("&Calibrate\u2026"), QStringLiteral("Ctrl+K"),
@@ -114,6 +118,8 @@ void WindowActions::update(const Snapshot* snapshot, bool recording) {
           unless(!over, tr("The source is over: there are no pictures to calibrate from.")));
     allow(home, unless(has_head, no_head));
     allow(halt, unless(has_head, no_head));
+    allow(reset_head, unless(has_head && snapshot->head->abilities.reset,
+                             has_head ? tr("This head can't be reset.") : no_head));
 }
 
 }  // namespace kambara::ui

@@ -33,6 +33,7 @@ class WindowActions : public QObject {
     QAction* steer;
     QAction* home;
     QAction* halt;
+    QAction* reset_head;
     QAction* calibrate;
     QAction* stretch_map;
     QAction* default_layout;

@@ -7,6 +7,7 @@
 #include <QThread>
 #include <QWheelEvent>
 #include <cmath>
+#include <utility>
 
 #include "ui/base/quantities.h"
 #include "ui/base/theme.h"
@@ -20,6 +21,7 @@ constexpr int coarse_step_px = 10;
 constexpr double zoom_a_notch = 1.25;
 constexpr qint64 old_ms = 500;
 constexpr int margin = 6;
+constexpr double click_reach_px = 4.0;
 
 void paint_note(QPainter& painter, const QRectF& within, int alignment, const QString& text,
                 const QColor& colour) {
@@ -199,6 +201,8 @@ void VideoView::mousePressEvent(QMouseEvent* event) {
             hold();
         }
         update();
+    } else if (event->button() == Qt::LeftButton && may_point_ && !image_.isNull()) {
+        pressed_at_ = event->pos();
     } else {
         QWidget::mousePressEvent(event);
     }
@@ -221,6 +225,18 @@ void VideoView::mouseReleaseEvent(QMouseEvent* event) {
     } else if (event->button() == Qt::LeftButton && selection_) {
         selection_->drag_to(view_.pixel_from_widget(event->pos()));
         finish_selection();
+    } else if (event->button() == Qt::LeftButton && pressed_at_) {
+        point(event->pos());
+    }
+}
+
+// A press that was dragged elsewhere is no click; what is beside the picture is nothing.
+void VideoView::point(const QPointF& released) {
+    const QPointF pressed = *std::exchange(pressed_at_, std::nullopt);
+    const QPointF pixel = view_.pixel_from_widget(released);
+    const QRectF picture(-0.5, -0.5, image_.width(), image_.height());
+    if ((released - pressed).manhattanLength() <= click_reach_px && picture.contains(pixel)) {
+        emit pointed_at(pixel.x(), pixel.y());
     }
 }
 

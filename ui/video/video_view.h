@@ -29,6 +29,8 @@ class VideoView : public QWidget {
     void show_snapshot(const SnapshotPtr& snapshot);
     void clear();
     void allow_selection(bool allowed) { may_select_ = allowed; }
+    /// A left click asks for what is there (pointed_at).
+    void allow_pointing(bool allowed) { may_point_ = allowed; }
     void begin_selection();
     void cancel_selection();
     bool selecting() const { return selection_.has_value(); }
@@ -47,6 +49,8 @@ class VideoView : public QWidget {
     /// A rectangle was chosen in the left picture of that frame: for the steered target, or for one
     /// more.
     void selected(const kambara::Rectangle& rectangle, qint64 frame, bool one_more);
+    /// The operator clicked on that pixel of the picture on show.
+    void pointed_at(double x_px, double y_px);
     /// The operator pointed at a target's box.
     void target_pointed_at(int id);
     /// The operator looks at that frame: it should be remembered.
@@ -73,6 +77,7 @@ class VideoView : public QWidget {
     bool holding() const { return frozen_ || selection_.has_value(); }
     void hold();
     void finish_selection();
+    void point(const QPointF& released);
     bool selection_key(const QKeyEvent& event);
     void paint_notes(QPainter& painter) const;
     QString cursor_text() const;
@@ -85,6 +90,8 @@ class VideoView : public QWidget {
     ViewTransform view_;
     bool fits_ = true;
     bool may_select_ = false;
+    bool may_point_ = false;
+    std::optional<QPointF> pressed_at_;  // where pointing is allowed
     bool frozen_ = false;
     std::optional<RectangleSelection> selection_;
     bool one_more_ = false;  // the selection is for one more target

@@ -36,11 +36,21 @@ const std::vector<Command> all_commands{
     Flow{Flow::Kind::run},
     Flow{Flow::Kind::pause},
     Flow{Flow::Kind::step},
+    DriveHead{-0.25, 1.0 / 3.0},
+    HomeHead{},
+    ResetHead{},
+    CentreHead{12.5, 400.0},
+    CentreHead{0.0, 1.0 / 3.0, HeadAngles{-0.1, 0.2}},
+    ZoomHead{1.0 / 3.0},
+    FocusHead{0.75},
+    AutofocusHead{},
+    KeepPreset{5},
+    RecallPreset{3},
     TellVehicleMotion{{123, {1.0 / 3.0, -2.0, 3.0}, {0.1, -0.2, 1e-3}, 5.0, 0.02}},
 };
 
 TEST(Serialise, EveryCommandComesBackAsItWas) {
-    ASSERT_EQ(std::variant_size_v<Command>, 15U) << "add the new command to the list above";
+    ASSERT_EQ(std::variant_size_v<Command>, 24U) << "add the new command to the list above";
     for (const Command& command : all_commands) {
         const auto back = command_from_json(to_json(command));
         ASSERT_TRUE(back) << back.error().text();
@@ -100,6 +110,9 @@ Snapshot full_snapshot() {
     snapshot.tracks = {track, TrackSnapshot{2, {}}};
     snapshot.steered_target = 2;
     snapshot.head = HeadSnapshot{{0.2, -0.1}, HeadAngles{0.3, -0.2}, true, false, true, "cable"};
+    snapshot.head->lens = LensStatus{0.25, 1.0 / 3.0, 0.8, 0.75, false};
+    snapshot.head->abilities = {true, false, true, false, true, 6};
+    snapshot.head->limits = {1.0, 0.5, 0.7, 1.0 / 3.0};
     return snapshot;
 }
 
@@ -141,6 +154,11 @@ TEST(Serialise, RefusesWhatIsMissingMistypedOrUnknown) {
         {R"({"command":"move_head","pan_rad":"left","tilt_rad":0})", "pan_rad"},
         {R"({"command":"move_head","pan_rad":0})", "tilt_rad"},
         {R"({"command":"steer_to"})", "target"},
+        {R"({"command":"drive_head","pan_rad_s":1})", "tilt_rad_s"},
+        {R"({"command":"zoom_head","share":"tele"})", "share"},
+        {R"({"command":"keep_preset","number":1.5})", "number"},
+        {R"({"command":"centre_head","x_px":1,"y_px":2,"seen_from_pan_rad":0})",
+         "seen_from_tilt_rad"},
         {R"({"command":"start_tracking","target":"all"})", "target"},
         {R"({"command":"flow","kind":"sideways"})", "kind"},
     };

@@ -79,5 +79,77 @@ TEST_F(SimulatedHeadTest, RefusesWhatItCannotReachAndKeepsToWhatItWasDoing) {
     EXPECT_NEAR(deg_from_rad(rest.tilt_rad), 25.0, 1e-9);
 }
 
+TEST_F(SimulatedHeadTest, IsDrivenAtWholeSpeedsUpToItsLimits) {
+    // 80 degrees/s in 24 steps of 3.33, 50 in 20 of 2.5; what lies between is the slower one.
+    ASSERT_TRUE(head_.drive(rad_from_deg(12.0), rad_from_deg(-6.0)).ok());
+    const HeadStatus driven = after_s(1.0);
+    EXPECT_NEAR(deg_from_rad(driven.angles.pan_rad), 10.0, 1e-9);
+    EXPECT_NEAR(deg_from_rad(driven.angles.tilt_rad), -5.0, 1e-9);
+    EXPECT_TRUE(driven.moving);
+    ASSERT_TRUE(head_.drive(rad_from_deg(0.1), 0.0).ok());
+    const HeadStatus slow = after_s(2.0);
+    EXPECT_NEAR(deg_from_rad(slow.angles.pan_rad), 10.0 + 80.0 / 24, 1e-9);
+    EXPECT_NEAR(deg_from_rad(slow.angles.tilt_rad), -5.0, 1e-9);
+    ASSERT_TRUE(head_.drive(rad_from_deg(-800.0), 0.0).ok());
+    const HeadStatus fast = after_s(2.5);
+    EXPECT_NEAR(deg_from_rad(fast.angles.pan_rad), 10.0 + 80.0 / 24 - 40.0, 1e-9);
+    const HeadStatus stopped = after_s(20.0);
+    EXPECT_NEAR(deg_from_rad(stopped.angles.pan_rad), -100.0, 1e-9);
+    EXPECT_FALSE(stopped.moving);
+    ASSERT_TRUE(head_.drive(0.5, 0.5).ok());
+    after_s(21.0);
+    ASSERT_TRUE(head_.halt().ok());
+    const HeadAngles halted = after_s(21.0).angles;
+    EXPECT_EQ(after_s(30.0).angles, halted);
+    EXPECT_FALSE(head_.drive(std::nan(""), 0.0).ok());
+}
+
+TEST_F(SimulatedHeadTest, ItsLensIsAnEviD30s) {
+    const LensStatus wide = head_.lens().value();
+    EXPECT_EQ(wide.zoom_share, 0.0);
+    EXPECT_NEAR(deg_from_rad(wide.horizontal_view_rad), 48.8, 0.1);
+    EXPECT_EQ(wide.magnification(), 1.0);
+    EXPECT_TRUE(wide.autofocus);
+    ASSERT_TRUE(head_.zoom_to(1.0).ok());
+    after_s(1.0);
+    EXPECT_NEAR(head_.lens().value().zoom_share, 0.5, 1e-9);
+    EXPECT_NEAR(head_.lens().value().magnification(), std::sqrt(12.0), 1e-9);
+    after_s(3.0);
+    EXPECT_NEAR(head_.lens().value().magnification(), 12.0, 1e-9);
+    EXPECT_NEAR(deg_from_rad(head_.lens().value().horizontal_view_rad), 4.3, 0.1);
+    ASSERT_TRUE(head_.focus_to(0.8).ok());
+    after_s(6.0);
+    EXPECT_FALSE(head_.lens().value().autofocus);
+    EXPECT_NEAR(head_.lens().value().focus_share, 0.8, 1e-9);
+    ASSERT_TRUE(head_.autofocus().ok());
+    after_s(9.0);
+    EXPECT_TRUE(head_.lens().value().autofocus);
+    EXPECT_NEAR(head_.lens().value().focus_share, wide.focus_share, 1e-9);
+    for (const double no_share : {-0.1, 1.1, std::nan("")}) {
+        EXPECT_FALSE(head_.zoom_to(no_share).ok());
+        EXPECT_FALSE(head_.focus_to(no_share).ok());
+    }
+}
+
+TEST_F(SimulatedHeadTest, PresetsBringBackAnglesAndLens) {
+    EXPECT_EQ(head_.abilities().presets, 6);
+    ASSERT_TRUE(head_.move_to(degrees(50, -10)).ok());
+    ASSERT_TRUE(head_.zoom_to(0.75).ok());
+    ASSERT_TRUE(head_.focus_to(0.5).ok());
+    const HeadAngles there = after_s(10.0).angles;
+    ASSERT_TRUE(head_.keep_preset(5).ok());
+    ASSERT_TRUE(head_.recall_preset(0).ok()) << "nothing was kept: home, wide";
+    EXPECT_EQ(after_s(20.0).angles, HeadAngles{});
+    EXPECT_EQ(head_.lens().value().zoom_share, 0.0);
+    EXPECT_TRUE(head_.lens().value().autofocus);
+    ASSERT_TRUE(head_.recall_preset(5).ok());
+    EXPECT_EQ(after_s(30.0).angles, there);
+    EXPECT_NEAR(head_.lens().value().zoom_share, 0.75, 1e-9);
+    EXPECT_NEAR(head_.lens().value().focus_share, 0.5, 1e-9);
+    EXPECT_FALSE(head_.lens().value().autofocus);
+    EXPECT_FALSE(head_.keep_preset(6).ok());
+    EXPECT_FALSE(head_.recall_preset(-1).ok());
+}
+
 }  // namespace
 }  // namespace kambara

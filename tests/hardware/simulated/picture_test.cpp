@@ -179,6 +179,31 @@ TEST(SimulatedPicture, AHeadAimedAtAPointHasItInThePicturesMiddle) {
     EXPECT_GE(found_in, 4);
 }
 
+TEST(SimulatedPicture, ZoomedInThingsAreLargerAboutTheMiddle) {
+    const ChessboardTarget board{5, 5, 30.0};
+    const SimulatedWorld world(
+        profile_of("chessboard?target=chessboard:5x5:30&noise=0&particles=0&haze=0"));
+    int found_in = 0;
+    for (int pose = 0; pose < 6; ++pose) {
+        const std::int64_t frame = 30 * pose;
+        const Vector3d middle = world.T_left_from_target(frame) * corners_in_target_mm(board)[12];
+        const HeadAngles there = angles_towards(world.rig(), middle);
+        const auto wide = found_corners(world.pan_tilt_picture(frame, there), board);
+        const auto tele = found_corners(world.pan_tilt_picture(frame, there, 2.0), board);
+        if (wide.empty() || tele.empty()) {
+            continue;
+        }
+        ++found_in;
+        const Vector2d axis(319.5, 239.5);
+        for (const cv::Point2f& corner : wide) {
+            const Vector2d expected = axis + 2.0 * (Vector2d(corner.x, corner.y) - axis);
+            EXPECT_LT((nearest(tele, expected) - expected).norm(),
+                      0.5);  // twice the wide one's error
+        }
+    }
+    EXPECT_GE(found_in, 3);
+}
+
 // Where a lone speck is in the difference of two pictures: its centroid near where it should be.
 std::optional<Vector2d> speck(const Image& with, const Image& without, const Vector2d& expected) {
     const int cx = static_cast<int>(std::lround(expected.x()));

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The head by hand: what turns it takes it away from steering, until SteerHead hands it back; what
+// is about its lens does not.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/pointing/aim.h"
+#include "core/pointing/centring.h"
+#include "core/vsystem/pipeline.h"
+
+namespace kambara {
+namespace {
+
+Error no_head() {
+    return {"There is no pan-tilt head.", "Connect one, or name it when starting."};
+}
+
+Result<Done> unless(bool able, const char* what) {
+    if (able) {
+        return Done{};
+    }
+    return Error{std::string("The head ") + what + ".", "Use another head."};
+}
+
+Result<Done> is_share(double share) {
+    if (share >= 0.0 && share <= 1.0) {
+        return Done{};
+    }
+    return Error{"The lens can't be set to " + std::to_string(share) + ".",
+                 "Give a number from 0 to 1."};
+}
+
+Result<Done> is_preset(int number, const HeadAbilities& abilities) {
+    if (number >= 0 && number < abilities.presets) {
+        return Done{};
+    }
+    if (abilities.presets == 0) {
+        return unless(false, "has no presets");
+    }
+    return Error{"There is no preset " + std::to_string(number) + ".",
+                 "Give a number from 0 to " + std::to_string(abilities.presets - 1) + "."};
+}
+
+struct TurnCheck {
+    const HeadAbilities& abilities;
+    Result<Done> operator()(const HomeHead&) { return Done{}; }
+    Result<Done> operator()(const ResetHead&) { return unless(abilities.reset, "can't be reset"); }
+    Result<Done> operator()(const RecallPreset& c) { return is_preset(c.number, abilities); }
+};
+
+struct SettingCheck {
+    const HeadAbilities& abilities;
+    Result<Done> operator()(const ZoomHead& c) {
+        const auto able = unless(abilities.zoom, "has no zoom");
+        return able ? is_share(c.share) : able;
+    }
+    Result<Done> operator()(const FocusHead& c) {
+        const auto able = unless(abilities.focus, "has no focus");
+        return able ? is_share(c.share) : able;
+    }
+    Result<Done> operator()(const AutofocusHead&) {
+        return unless(abilities.autofocus, "has no autofocus");
+    }
+    Result<Done> operator()(const KeepPreset& c) { return is_preset(c.number, abilities); }
+};
+
+}  // namespace
+
+void Pipeline::take_by_hand(const std::optional<HeadAngles>& commanded) {
+    steering_.set_automatic(false);
+    steering_.nothing_wanted();
+    commanded_ = commanded;
+    publish();
+}
+
+Result<Reply> Pipeline::drive_head(const DriveHead& command) {
+    if (!head_) {
+        return no_head();
+    }
+    if (!std::isfinite(command.pan_rad_s) || !std::isfinite(command.tilt_rad_s)) {
+        return Error{"The head can't turn at such a speed.", "Give numbers."};
+    }
+    const auto able = unless(head_->reading().abilities.drive, "can't be turned at a speed");
+    if (!able) {
+        return able.error();
+    }
+    const HeadLimits most = head_->limits();
+    head_->drive({std::clamp(command.pan_rad_s, -most.pan_speed_rad_s, most.pan_speed_rad_s),
+                  std::clamp(command.tilt_rad_s, -most.tilt_speed_rad_s, most.tilt_speed_rad_s)});
+    if (steering_.automatic() || commanded_) {  // told again and again, it changes nothing more
+        take_by_hand(std::nullopt);
+    }
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::centre_head(const CentreHead& command) {
+    if (!head_) {
+        return no_head();
+    }
+    if (!rig_.pan_tilt) {
+        return Error{"The rig file does not say where the pan-tilt camera is.",
+                     "Calibrate it with the others first."};
+    }
+    const auto reading = head_->reading();
+    const auto angles = centring_angles(rig_, {command.x_px, command.y_px},
+                                        command.seen_from.value_or(reading.status.angles),
+                                        reading.lens ? reading.lens->magnification() : 1.0);
+    if (!angles) {
+        return Error{"Nothing is seen at that place of the pan-tilt picture.",
+                     "Choose one nearer to its middle."};
+    }
+    // What is seen may be beyond what the head can be turned to: it goes as far as it can.
+    const HeadAngles nearest = within_limits(*angles, head_->limits());
+    head_->command(nearest, true);
+    take_by_hand(nearest);
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::turn_head(const HeadWorker::Turn& command) {
+    if (!head_) {
+        return no_head();
+    }
+    const HeadAbilities abilities = head_->reading().abilities;
+    if (const auto possible = std::visit(TurnCheck{abilities}, command); !possible) {
+        return possible.error();
+    }
+    head_->turn(command);
+    take_by_hand(std::holds_alternative<HomeHead>(command) ? std::optional(HeadAngles{})
+                                                           : std::nullopt);
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::set_head(const HeadWorker::Setting& command) {
+    if (!head_) {
+        return no_head();
+    }
+    const HeadAbilities abilities = head_->reading().abilities;
+    if (const auto possible = std::visit(SettingCheck{abilities}, command); !possible) {
+        return possible.error();
+    }
+    head_->set(command);
+    publish();
+    return Reply(Done{});
+}
+
+}  // namespace kambara
