@@ -87,6 +87,7 @@ class HeadDriver {
         std::optional<std::int64_t> superseded_ns = std::nullopt;
     };
 
+    void tell_wish(std::int64_t now_ns);
     void open_link(std::int64_t now_ns);
     void lose_link(const Error& error, std::int64_t now_ns);
     void follow_session(std::int64_t now_ns);
@@ -135,7 +136,9 @@ class HeadDriver {
     Session::Id halt_id_ = 0;
     std::int64_t halt_not_before_ns_ = 0;
     std::optional<Setting> setting_;
+    bool motion_unanswered_ = false;
     std::int64_t position_asked_ns_ = 0;
+    std::int64_t power_asked_ns_ = 0;
     std::int64_t lens_asked_ns_ = 0;
     int lens_turn_ = 0;
     bool power_is_known_ = false;

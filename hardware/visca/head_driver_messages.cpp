@@ -21,6 +21,8 @@ constexpr int most_refusals = 4;
 constexpr int most_corrections = 3;
 constexpr int most_syntax_errors = 10;  // in a row
 constexpr double correction_steps = 1.5;
+// Between two questions whether it is on, so that they keep nothing else waiting.
+constexpr std::int64_t power_interval_ns = 150 * ms;
 constexpr std::int64_t lens_interval_ns = 400 * ms;
 // The longest way of any model at full speed, and time to spare; home, reset and presets have their
 // own speeds, and power takes its time.
@@ -93,10 +95,13 @@ void HeadDriver::send_next(std::int64_t now_ns) {
     const std::int64_t due_ns = position_asked_ns_ + position_interval_ns();
     const bool overdue = now_ns >= due_ns + position_interval_ns();
     const bool hand = current_ && current_->motion.by_hand;
-    if ((hand || !overdue) && halt_ == Halt::none && cancels_.empty() && send_motion(now_ns)) {
+    // Where it looks is of little use while it is not known to have been told where to.
+    if ((hand || !overdue || motion_unanswered_) && halt_ == Halt::none && cancels_.empty() &&
+        send_motion(now_ns)) {
         return;
     }
-    if (!power_is_known_) {
+    if (!power_is_known_ && now_ns >= power_asked_ns_ + power_interval_ns) {
+        power_asked_ns_ = now_ns;
         ask(Op::ask_power, now_ns);
         return;
     }
@@ -303,6 +308,7 @@ void HeadDriver::handle_motion(const Outcome& outcome, std::int64_t now_ns) {
         }
     }
     if (outcome.kind == Outcome::Kind::acknowledged) {
+        motion_unanswered_ = false;
         syntax_errors_ = 0;
         for (auto& [id, move] : moves_) {
             move.superseded_ns = move.superseded_ns.value_or(now_ns);
@@ -351,6 +357,7 @@ void HeadDriver::handle_motion(const Outcome& outcome, std::int64_t now_ns) {
             break;
         default:  // no reply, or the link was lost
             current_->stage = Stage::waiting;
+            motion_unanswered_ = true;
             if (outcome.message.op == Op::reset) {
                 current_.reset();
             }
