@@ -72,6 +72,18 @@ struct SteerHead {
     bool automatic = true;
     bool operator==(const SteerHead&) const = default;
 };
+/// Follows the steered target in the pan-tilt camera's own picture as well (true), which makes the
+/// aim right and stands in where the stereo pair does not see the target (STR-5); or not (false).
+struct ServoHead {
+    bool on = true;
+    bool operator==(const ServoHead&) const = default;
+};
+/// Cuts what is followed there from the newest pan-tilt picture; without it, it is found by what
+/// the stereo pair follows. Only while that picture is followed.
+struct SelectInPanTilt {
+    Rectangle rectangle;
+    bool operator==(const SelectInPanTilt&) const = default;
+};
 /// Takes the latest pictures as one view of the calibration target.
 struct CaptureView {
     bool operator==(const CaptureView&) const = default;
@@ -109,9 +121,10 @@ struct TellVehicleMotion {
     bool operator==(const TellVehicleMotion&) const = default;
 };
 
-using Command = std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate,
-                             ClearTemplate, SteerTo, MoveHead, HaltHead, SteerHead, CaptureView,
-                             Calibrate, Flow, Seek, HoldFrame, TellVehicleMotion>;
+using Command =
+    std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate, ClearTemplate,
+                 SteerTo, MoveHead, HaltHead, SteerHead, ServoHead, SelectInPanTilt, CaptureView,
+                 Calibrate, Flow, Seek, HoldFrame, TellVehicleMotion>;
 
 /// What a calibration came to.
 struct CalibrationOutcome {

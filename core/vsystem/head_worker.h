@@ -2,6 +2,8 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -9,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/clock.h"
 #include "core/devices/pan_tilt_camera.h"
 
 namespace kambara {
@@ -28,7 +31,8 @@ class HeadWorker {
         std::string fault;
     };
 
-    HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading);
+    /// `clock` outlives it and dates where the head was.
+    HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading, const Clock& clock);
     ~HeadWorker();
 
     HeadLimits limits() const { return limits_; }
@@ -41,6 +45,9 @@ class HeadWorker {
     /// Stops the head; angles that still wait are dropped.
     void halt();
     Reading reading();
+    /// Where it looked at a time of the last second, by the clock; with inline calls, now. Empty
+    /// while it does not say.
+    std::optional<HeadAngles> angles_at(std::int64_t time_ns);
     /// What happened to the head since the last call.
     std::vector<HeadNote> take_notes() { return head_->take_notes(); }
     /// The last command was refused by the device.
@@ -60,6 +67,7 @@ class HeadWorker {
 
     std::shared_ptr<PanTiltCamera> head_;
     const Threading threading_;
+    const Clock& clock_;
     const HeadLimits limits_;
     mutable std::mutex mutex_;
     std::condition_variable_any commanded_;
@@ -68,6 +76,11 @@ class HeadWorker {
     HeadStatus status_;
     std::string move_fault_;
     std::string status_fault_;
+    struct Past {
+        std::int64_t time_ns = 0;
+        HeadAngles angles;
+    };
+    std::deque<Past> past_;
     std::jthread thread_;  // last, so that it ends before what it uses
 };
 

@@ -9,10 +9,12 @@ namespace {
 
 using namespace json_fields;
 
+Json from_rectangle(const Rectangle& r) {
+    return {r.x, r.y, r.width, r.height};
+}
+
 Json fields_of(const SelectTemplate& c) {
-    Json json{
-        {"command", "select_template"},
-        {"rectangle_px", {c.rectangle.x, c.rectangle.y, c.rectangle.width, c.rectangle.height}}};
+    Json json{{"command", "select_template"}, {"rectangle_px", from_rectangle(c.rectangle)}};
     put_optional(json, "frame", c.frame);
     put_optional(json, "target", c.target);
     return json;
@@ -52,6 +54,12 @@ Json fields_of(const HoldFrame& c) {
 }
 Json fields_of(const SteerHead& c) {
     return {{"command", "steer_head"}, {"automatic", c.automatic}};
+}
+Json fields_of(const ServoHead& c) {
+    return {{"command", "servo_head"}, {"on", c.on}};
+}
+Json fields_of(const SelectInPanTilt& c) {
+    return {{"command", "select_in_pan_tilt"}, {"rectangle_px", from_rectangle(c.rectangle)}};
 }
 Json fields_of(const CaptureView&) {
     return {{"command", "capture_view"}};
@@ -134,6 +142,12 @@ Command read_command(const Json& json) {
     }
     if (name == "steer_head") {
         return SteerHead{get<bool>(json, "automatic")};
+    }
+    if (name == "servo_head") {
+        return ServoHead{get<bool>(json, "on")};
+    }
+    if (name == "select_in_pan_tilt") {
+        return SelectInPanTilt{read_rectangle(json)};
     }
     if (name == "capture_view") {
         return CaptureView{};
