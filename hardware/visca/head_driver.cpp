@@ -288,10 +288,14 @@ std::uint64_t HeadDriver::position_readings() const {
     return readings_;
 }
 
-double HeadDriver::lag_s() const {
+// Until the motors are told.
+double HeadDriver::way_there_s() const {
     constexpr double half_field_s = 1.0 / 120.0;
-    return 1e-9 * static_cast<double>(bytes_of_look * options_.session.byte_ns) + half_field_s +
-           options_.motor_lag_s;
+    return 1e-9 * static_cast<double>(bytes_of_look * options_.session.byte_ns) + half_field_s;
+}
+
+double HeadDriver::lag_s() const {
+    return way_there_s() + options_.motor_lag_s;
 }
 
 double HeadDriver::oldest_aim_s() const {

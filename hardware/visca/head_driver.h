@@ -38,6 +38,9 @@ class HeadDriver {
         std::int64_t reopen_ns = 50'000'000;
         /// How much later than told the motors are where they should be while they follow.
         double motor_lag_s = 0.05;
+        /// While it follows something, the head turns no faster than gets it to the aim just in
+        /// time, so that it does not stop and start with every aim.
+        bool paces = true;
         /// An aim that could not be told for so long is dropped: a newer one will come, unless the
         /// target is not seen any more.
         std::int64_t stale_aim_ns = 50'000'000;
@@ -105,6 +108,8 @@ class HeadDriver {
     bool send_cancel(std::int64_t now_ns);
     bool send_motion(std::int64_t now_ns);
     void take_aim(Motion& motion, std::int64_t now_ns) const;
+    std::optional<HeadAngles> pace_towards(const HeadAngles& angles, std::int64_t now_ns) const;
+    double way_there_s() const;
     bool send_setting(std::int64_t now_ns);
     void ask(Op inquiry, std::int64_t now_ns);
     Message message_of(const Motion& motion) const;

@@ -146,6 +146,20 @@ void HeadDriver::take_aim(Motion& motion, std::int64_t now_ns) const {
         motion.aim->at(now_ns + static_cast<std::int64_t>(std::llround(lag_s() * 1e9)));
     motion.angles = {std::clamp(then.pan_rad, -limits.pan_rad, limits.pan_rad),
                      std::clamp(then.tilt_rad, -limits.tilt_rad, limits.tilt_rad)};
+    motion.speed_rad_s = pace_towards(motion.angles, now_ns);
+}
+
+// From where the head will be when it is told, in the time that the motors are given: where a
+// target goes on at its rate, that is its rate.
+std::optional<HeadAngles> HeadDriver::pace_towards(const HeadAngles& angles,
+                                                   std::int64_t now_ns) const {
+    std::lock_guard lock(mutex_);
+    if (!options_.paces || !(options_.motor_lag_s > 0.0) || !estimate_.known()) {
+        return std::nullopt;
+    }
+    const HeadAngles from = estimate_.at(now_ns + std::llround(way_there_s() * 1e9)).angles;
+    return HeadAngles{std::abs(angles.pan_rad - from.pan_rad) / options_.motor_lag_s,
+                      std::abs(angles.tilt_rad - from.tilt_rad) / options_.motor_lag_s};
 }
 
 bool HeadDriver::send_motion(std::int64_t now_ns) {
@@ -192,10 +206,13 @@ Message HeadDriver::message_of(const Motion& motion) const {
     const double pan_deg = deg_from_rad(motion.angles.pan_rad);
     const double tilt_deg = deg_from_rad(motion.angles.tilt_rad);
     switch (motion.kind) {
-        case Motion::Kind::look:
+        case Motion::Kind::look: {
+            const auto& speed = motion.speed_rad_s;
             return {Op::absolute,
-                    {pan.fastest_code, tilt.fastest_code, pan.steps_from_deg(pan_deg),
-                     tilt.steps_from_deg(tilt_deg)}};
+                    {speed ? pan.nearest_code(deg_from_rad(speed->pan_rad)) : pan.fastest_code,
+                     speed ? tilt.nearest_code(deg_from_rad(speed->tilt_rad)) : tilt.fastest_code,
+                     pan.steps_from_deg(pan_deg), tilt.steps_from_deg(tilt_deg)}};
+        }
         case Motion::Kind::drive: {
             const auto way = [](double speed, int back, int forth) {
                 return speed < 0.0 ? back : (speed > 0.0 ? forth : stop_code);
@@ -299,6 +316,8 @@ void HeadDriver::handle_motion(const Outcome& outcome, std::int64_t now_ns) {
             estimate_.set_target(
                 HeadAngles{rad_from_deg(model_->pan.deg_from_steps(message.values[2])),
                            rad_from_deg(model_->tilt.deg_from_steps(message.values[3]))},
+                HeadAngles{rad_from_deg(model_->pan.speed_deg_s(message.values[0])),
+                           rad_from_deg(model_->tilt.speed_deg_s(message.values[1]))},
                 now_ns);
         } else if (motion.kind == Motion::Kind::drive) {
             estimate_.set_drive(motion.angles.pan_rad, motion.angles.tilt_rad, now_ns);
