@@ -96,6 +96,7 @@ Result<Outcome> live(const LiveOptions& options) {
     source.left = "sim:" + options.profile;
     source.pan_tilt = options.pan_tilt;
     source.live = true;
+    source.pan_tilt_pictures = options.servo;
     auto sources = open_sources(source, clock);
     if (!sources) {
         return sources.error();
@@ -117,6 +118,11 @@ Result<Outcome> live(const LiveOptions& options) {
     }
     if (const auto done = system.execute(StartTracking{}); !done) {
         return done.error();
+    }
+    if (options.servo) {
+        if (const auto done = system.execute(ServoHead{}); !done) {
+            return done.error();
+        }
     }
     LatestValue<Shown> newest;
     const auto observation = system.observe([&](const SnapshotPtr& snapshot) {

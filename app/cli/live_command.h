@@ -11,6 +11,7 @@ namespace kambara::cli {
 struct LiveOptions {
     std::string profile = "default";
     std::string pan_tilt;           ///< a real head's URI in place of the simulated one
+    bool servo = false;             ///< likewise by its camera's own picture (ServoHead)
     std::optional<double> seconds;  ///< until interrupted, where not given
 };
 

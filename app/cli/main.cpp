@@ -85,6 +85,8 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     c->add_option("--pan-tilt", o.sources.pan_tilt,
                   "Head to steer: sim:PROFILE, visca:/dev/ttyS0?address=1, visca-udp:HOST:PORT, "
                   "visca-udp-raw:HOST:PORT or visca-tcp:HOST:PORT");
+    c->add_flag("--servo", o.servo,
+                "Make the aim right by the pan-tilt camera's own picture; with sim:");
     c->add_option("--seconds", o.seconds, "Stop after so much of the source's time")
         ->check(above_zero());
     c->add_option("--record", o.record, "Folder to record the session in; not in this version yet");
@@ -240,6 +242,7 @@ void add_simulate(CLI::App& app, Chosen& chosen, SimulateOptions& o) {
         ->capture_default_str();
     c->add_option("--seconds", o.seconds, "How long")->capture_default_str()->check(above_zero());
     c->add_option("--out", o.out, "Folder to make")->required();
+    c->add_flag("--servo", o.servo, "Make the aim right by the pan-tilt camera's own picture");
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_simulate(o); }; });
 }
@@ -268,6 +271,8 @@ void add_live(CLI::App& app, Chosen& chosen, LiveOptions& o) {
                   "A real head in place of the simulated one: visca:/dev/ttyS0 and so on");
     c->add_option("--seconds", o.seconds, "How long; until Ctrl-C where not given")
         ->check(above_zero());
+    c->add_flag("--servo", o.servo,
+                "Make the aim right by the simulated pan-tilt camera's own picture");
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_live(o); }; });
 }

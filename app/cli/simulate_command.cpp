@@ -137,6 +137,11 @@ Result<nlohmann::json> simulate(const SimulateOptions& options) {
     // The head follows the target, as it would at sea, unless the water hides it.
     const bool followed = moving && system.execute(SelectTemplate{rectangle, std::nullopt}).ok() &&
                           system.execute(StartTracking{}).ok();
+    if (options.servo) {
+        if (const auto done = system.execute(ServoHead{}); !done) {
+            return done.error();
+        }
+    }
     std::string truth = truth_header();
     ProgressLine progress;
     for (std::int64_t i = 0; i < frames && !interrupted(); ++i) {

@@ -11,6 +11,7 @@ namespace kambara::cli {
 struct SimulateOptions {
     std::string profile = "default";
     double seconds = 10.0;
+    bool servo = false;  ///< the head's aim is made right by its camera's own picture (ServoHead)
     std::filesystem::path out;
 };
 

@@ -216,7 +216,9 @@ Result<nlohmann::json> track(const TrackOptions& options) {
         temporal = *parsed;
     }
     SteadyClock clock;
-    auto sources = open_sources(options.sources, clock);
+    SourceOptions source_options = options.sources;
+    source_options.pan_tilt_pictures = options.servo;
+    auto sources = open_sources(source_options, clock);
     if (!sources) {
         return sources.error();
     }
@@ -242,6 +244,11 @@ Result<nlohmann::json> track(const TrackOptions& options) {
     if (const auto done = execute_all(system, commands_choosing(*rectangles, options.steer));
         !done) {
         return done.error();
+    }
+    if (options.servo) {
+        if (const auto done = system.execute(ServoHead{}); !done) {
+            return done.error();
+        }
     }
     const SnapshotPtr first = system.latest();
     std::optional<TruthComparison> truth;

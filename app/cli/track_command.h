@@ -17,6 +17,7 @@ struct TrackOptions {
     /// X,Y,W,H in the first frame, a target each; `auto` with sim:
     std::vector<std::string> templates;
     int steer = 1;  ///< the number of the target that the head is steered to
+    bool servo = false;  ///< the head's aim is made right by its camera's own picture (ServoHead)
     std::string measure = "zncc";
     std::string transform = "none";
     std::string temporal;        ///< median:N or mean:N; empty: the pictures as they are

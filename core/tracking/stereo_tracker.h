@@ -92,6 +92,8 @@ class StereoTracker {
     std::optional<Eigen::Vector3d> expected_in_left_mm(std::int64_t time_ns) const;
 
     const TrackEstimate& estimate() const { return estimate_; }
+    /// How it looked when it was chosen, as it has turned and grown since; null without a template.
+    const ReferencePatch* look() const { return looks_ ? &looks_->first() : nullptr; }
     bool started() const { return started_; }
 
   private:

@@ -121,6 +121,18 @@ struct RecallPreset {
     int number = 0;
     bool operator==(const RecallPreset&) const = default;
 };
+/// Follows the steered target in the pan-tilt camera's own picture as well (true), which makes the
+/// aim right and stands in where the stereo pair does not see the target (STR-5); or not (false).
+struct ServoHead {
+    bool on = true;
+    bool operator==(const ServoHead&) const = default;
+};
+/// Cuts what is followed there from the newest pan-tilt picture; without it, it is found by what
+/// the stereo pair follows. Only while that picture is followed.
+struct SelectInPanTilt {
+    Rectangle rectangle;
+    bool operator==(const SelectInPanTilt&) const = default;
+};
 /// Takes the latest pictures as one view of the calibration target.
 struct CaptureView {
     bool operator==(const CaptureView&) const = default;
@@ -160,9 +172,9 @@ struct TellVehicleMotion {
 
 using Command =
     std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate, ClearTemplate,
-                 SteerTo, MoveHead, HaltHead, SteerHead, CaptureView, Calibrate, Flow, Seek,
-                 HoldFrame, TellVehicleMotion, DriveHead, HomeHead, ResetHead, CentreHead, ZoomHead,
-                 FocusHead, AutofocusHead, KeepPreset, RecallPreset>;
+                 SteerTo, MoveHead, HaltHead, SteerHead, ServoHead, SelectInPanTilt, CaptureView,
+                 Calibrate, Flow, Seek, HoldFrame, TellVehicleMotion, DriveHead, HomeHead, ResetHead,
+                 CentreHead, ZoomHead, FocusHead, AutofocusHead, KeepPreset, RecallPreset>;
 
 /// What a calibration came to.
 struct CalibrationOutcome {

@@ -10,6 +10,7 @@ namespace kambara {
 namespace {
 
 constexpr std::chrono::milliseconds poll_interval{20};
+constexpr std::int64_t kept_ns = 1'000'000'000;
 constexpr auto renewal_ns = static_cast<std::int64_t>(1e9 * drive_renewal_s);
 
 // A preset is one of several of its kind; focusing by itself replaces focusing by hand.
@@ -230,13 +231,43 @@ void HeadWorker::poll() {
     const auto status = head_->status();
     const auto lens = head_->lens();
     const HeadAbilities abilities = head_->abilities();
+    const std::int64_t now_ns = clock_.now_ns();
     std::lock_guard lock(mutex_);
     status_fault_ = status ? std::string() : status.error().text();
     if (status) {
         status_ = *status;
+        past_.push_back({now_ns, status->angles});
+        while (past_.front().time_ns < now_ns - kept_ns) {
+            past_.pop_front();
+        }
     }
     lens_ = lens ? std::optional(*lens) : std::nullopt;
     abilities_ = abilities;
+}
+
+std::optional<HeadAngles> HeadWorker::angles_at(std::int64_t time_ns) {
+    if (threading_ == Threading::inline_calls) {
+        poll();
+    }
+    std::lock_guard lock(mutex_);
+    if (!status_fault_.empty() || past_.empty()) {
+        return std::nullopt;
+    }
+    if (threading_ == Threading::inline_calls || time_ns >= past_.back().time_ns) {
+        return past_.back().angles;
+    }
+    for (std::size_t i = past_.size() - 1; i > 0; --i) {
+        const Past& a = past_[i - 1];
+        const Past& b = past_[i];
+        if (time_ns >= a.time_ns) {
+            const double share =
+                static_cast<double>(time_ns - a.time_ns) /
+                static_cast<double>(std::max<std::int64_t>(1, b.time_ns - a.time_ns));
+            return HeadAngles{a.angles.pan_rad + share * (b.angles.pan_rad - a.angles.pan_rad),
+                              a.angles.tilt_rad + share * (b.angles.tilt_rad - a.angles.tilt_rad)};
+        }
+    }
+    return past_.front().angles;
 }
 
 }  // namespace kambara

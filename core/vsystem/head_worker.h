@@ -41,7 +41,7 @@ class HeadWorker {
     using Turn = std::variant<HomeHead, ResetHead, RecallPreset>;
     using Setting = std::variant<ZoomHead, FocusHead, AutofocusHead, KeepPreset>;
 
-    /// `clock` outlives the worker and times what is driven.
+    /// `clock` outlives the worker, times what is driven and dates where the head was.
     HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading, const Clock& clock);
     ~HeadWorker();
 
@@ -62,6 +62,9 @@ class HeadWorker {
     /// Stops the head; motions that still wait are dropped.
     void halt();
     Reading reading();
+    /// Where it looked at a time of the last second, by the clock; with inline calls, now. Empty
+    /// while it does not say.
+    std::optional<HeadAngles> angles_at(std::int64_t time_ns);
     /// What happened to the head since the last call.
     std::vector<HeadNote> take_notes();
     /// The last command was refused by the device.
@@ -103,6 +106,11 @@ class HeadWorker {
     HeadAbilities abilities_;
     std::string move_fault_;
     std::string status_fault_;
+    struct Past {
+        std::int64_t time_ns = 0;
+        HeadAngles angles;
+    };
+    std::deque<Past> past_;
     std::vector<HeadNote> notes_;  // the worker's own
     std::jthread thread_;          // last, so that it ends before what it uses
 };

@@ -45,7 +45,8 @@ Pipeline::Pipeline(Rig rig, const std::shared_ptr<PanTiltCamera>& head,
                                                 clock)
                  : nullptr),
       vehicle_(std::move(vehicle)),
-      steering_(options.steering, head ? head->limits() : HeadLimits{}) {
+      steering_(options.steering, head ? head->limits() : HeadLimits{}),
+      servo_(rig_, options.tracker) {
     if (options.temporal) {
         left_filter_.emplace(*options.temporal);
         right_filter_.emplace(*options.temporal);
@@ -72,6 +73,7 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
         }
     }
     targets_.process(remembered_.back());
+    look_through_head();
     steer();
     const std::int64_t now_ns = clock_.now_ns();
     processing_ms_ = static_cast<double>(now_ns - started_ns) * 1e-6;
@@ -153,6 +155,9 @@ void Pipeline::publish() {
             HeadSnapshot{reading.status.angles, commanded_,           reading.status.moving,
                          steering_.automatic(), steering_.at_limit(), reading.fault,
                          reading.lens,          reading.abilities,    head_->limits()};
+    }
+    if (servo_.on()) {
+        snapshot->servo = servo_.state(steers_alone_);
     }
     snapshot->rate_hz = rate_hz();
     snapshot->processing_ms = processing_ms_;
@@ -249,6 +254,7 @@ Result<Reply> Pipeline::hold(const HoldFrame& command) {
 void Pipeline::wound() {
     const TargetStates before = targets_.states();
     targets_.wound();
+    servo_.wound();
     remembered_.clear();
     for (auto* filter : {&left_filter_, &right_filter_}) {
         if (*filter) {
@@ -305,10 +311,6 @@ const StereoTracker* Pipeline::steered_tracker() const {
 // the head is told at the picture's time.
 std::optional<HeadAim> Pipeline::aim_at(const StereoTracker& tracker) const {
     const std::int64_t now_ns = clock_.now_ns();
-    double age_s = options_.steering.camera_latency_s;
-    if (images_.arrived_ns > 0) {
-        age_s += static_cast<double>(now_ns - images_.arrived_ns) * 1e-9;
-    }
     const bool leads =
         options_.steering.leads && tracker.estimate().motion && !options_.every_frame;
     if (!leads) {
@@ -316,22 +318,86 @@ std::optional<HeadAim> Pipeline::aim_at(const StereoTracker& tracker) const {
         return HeadAim{angles_towards(rig_, position->point_in_left_mm), {}, now_ns, now_ns};
     }
     const std::int64_t pictured_ns =
-        images_.stereo.left.time_ns + static_cast<std::int64_t>(std::llround(age_s * 1e9));
+        images_.stereo.left.time_ns + static_cast<std::int64_t>(std::llround(age_s(now_ns) * 1e9));
     return led_aim(
         rig_, [&](std::int64_t time_ns) { return tracker.expected_in_left_mm(time_ns); },
         pictured_ns, now_ns, head_->lag_s());
 }
 
-void Pipeline::steer() {
-    const StereoTracker* target = steered_tracker();
-    if (target == nullptr || !rig_.pan_tilt) {
-        steering_.nothing_wanted();
+double Pipeline::age_s(std::int64_t now_ns) const {
+    const double waited_s =
+        images_.arrived_ns > 0 ? static_cast<double>(now_ns - images_.arrived_ns) * 1e-9 : 0.0;
+    return options_.steering.camera_latency_s + waited_s;
+}
+
+// By the pan-tilt camera's own picture, led likewise.
+std::optional<HeadAim> Pipeline::aim_alone() const {
+    const std::int64_t now_ns = clock_.now_ns();
+    const bool leads = options_.steering.leads && !options_.every_frame;
+    const double ahead_s = leads ? age_s(now_ns) + head_->lag_s() : 0.0;
+    const auto seen = servo_.alone(images_.stereo.left.time_ns +
+                                   static_cast<std::int64_t>(std::llround(ahead_s * 1e9)));
+    if (!seen) {
+        return std::nullopt;
     }
-    if (!head_ || target == nullptr || !rig_.pan_tilt) {
+    HeadAim aim{seen->angles, {}, now_ns, now_ns};
+    if (leads) {
+        aim.rate_rad_s = seen->rate_rad_s;
+        aim.time_ns += static_cast<std::int64_t>(std::llround(head_->lag_s() * 1e9));
+    }
+    return aim;
+}
+
+std::optional<HeadAim> Pipeline::wanted_aim(const StereoTracker* target) {
+    steers_alone_ = servo_.on() && (target == nullptr || servo_.apart());
+    if (steers_alone_) {
+        auto aim = aim_alone();
+        steers_alone_ = aim.has_value();
+        return aim;
+    }
+    auto aim = target != nullptr ? aim_at(*target) : std::nullopt;
+    if (aim) {
+        aim->angles = servo_.corrected(aim->angles);
+    }
+    return aim;
+}
+
+// Where the head looked when its camera's newest picture was exposed.
+std::optional<HeadAngles> Pipeline::angles_of_pan_tilt_picture() {
+    const std::int64_t after_left_ns = images_.pan_tilt.time_ns - images_.stereo.left.time_ns;
+    const bool one_clock = std::abs(after_left_ns) < second_ns;
+    const auto late_ns =
+        static_cast<std::int64_t>(std::llround(options_.steering.camera_latency_s * 1e9));
+    return head_->angles_at(images_.arrived_ns + (one_clock ? after_left_ns : 0) - late_ns);
+}
+
+void Pipeline::look_through_head() {
+    if (!servo_.on() || !head_ || !images_.pan_tilt.picture) {
         return;
     }
-    auto aim = aim_at(*target);
+    const auto angles = angles_of_pan_tilt_picture();
+    if (!angles) {
+        return;
+    }
+    const bool is_new = pan_tilt_grey_.index != images_.pan_tilt.index || !pan_tilt_grey_.picture;
+    if (is_new) {
+        pan_tilt_grey_ = images_.pan_tilt;
+        pan_tilt_grey_.picture = grey_from(pan_tilt_grey_.picture);
+    }
+    const FollowedTarget* steered = targets_.steered();
+    const bool followed = steered != nullptr && steered->tracker.started();
+    servo_.see({pan_tilt_grey_, *angles, steered_tracker(),
+                followed ? std::optional(steered->id) : std::nullopt});
+}
+
+void Pipeline::steer() {
+    if (!head_ || !rig_.pan_tilt) {
+        steering_.nothing_wanted();
+        return;
+    }
+    auto aim = wanted_aim(steered_tracker());
     if (!aim) {
+        steering_.nothing_wanted();
         return;
     }
     // A command that the head did not take is given again.
@@ -397,6 +463,38 @@ Result<Reply> Pipeline::steer_head(const SteerHead& command) {
     return Reply(Done{});
 }
 
+Result<Reply> Pipeline::servo_head(const ServoHead& command) {
+    if (command.on && (!head_ || !images_.pan_tilt.picture)) {
+        return Error{
+            head_ ? "There are no pictures of the pan-tilt camera." : "There is no pan-tilt head.",
+            "Connect it, or name it when starting."};
+    }
+    if (const auto done = servo_.set_on(command.on); !done) {
+        return done.error();
+    }
+    publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::select_in_pan_tilt(const SelectInPanTilt& command) {
+    if (!servo_.on() || !head_ || !images_.pan_tilt.picture) {
+        return Error{"The pan-tilt picture is not followed.", "Switch that on first."};
+    }
+    const auto angles = angles_of_pan_tilt_picture();
+    if (!angles) {
+        return Error{"The head does not say where it looks.", "Check its line and its power."};
+    }
+    pan_tilt_grey_ = images_.pan_tilt;
+    pan_tilt_grey_.picture = grey_from(pan_tilt_grey_.picture);
+    if (const auto done = servo_.select(pan_tilt_grey_, *angles, command.rectangle); !done) {
+        return done.error();
+    }
+    look_through_head();
+    steer();
+    publish();
+    return Reply(Done{});
+}
+
 Result<Reply> Pipeline::tell_vehicle_motion(const TellVehicleMotion& command) {
     if (!command.motion.velocity_mm_s.allFinite() || !command.motion.turn_rad_s.allFinite()) {
         return Error{"The vehicle's motion is no number.", "Check what sends it."};
@@ -408,6 +506,7 @@ Result<Reply> Pipeline::tell_vehicle_motion(const TellVehicleMotion& command) {
 void Pipeline::use_rig(const Rig& rig) {
     rig_ = rig;
     targets_.use_rig(rig_);
+    servo_.use_rig(rig_);
     announce(Event::Kind::note, "A new calibration is in use. Choose the template again.");
     publish();
 }

@@ -11,6 +11,7 @@
 
 #include "core/base/clock.h"
 #include "core/vsystem/head_worker.h"
+#include "core/vsystem/pan_tilt_servo.h"
 #include "core/vsystem/target_set.h"
 #include "core/vsystem/vision_system.h"
 
@@ -44,6 +45,8 @@ class Pipeline {
     Result<Reply> set_head(const HeadWorker::Setting& command);
     Result<Reply> hold(const HoldFrame& command);
     Result<Reply> steer_head(const SteerHead& command);
+    Result<Reply> servo_head(const ServoHead& command);
+    Result<Reply> select_in_pan_tilt(const SelectInPanTilt& command);
     Result<Reply> tell_vehicle_motion(const TellVehicleMotion& command);
     /// Takes a new calibration: forgets the template, which belongs to the old one.
     void use_rig(const Rig& rig);
@@ -63,6 +66,11 @@ class Pipeline {
     const StereoTracker* steered_tracker() const;
     void take_by_hand(const std::optional<HeadAngles>& commanded);
     std::optional<HeadAim> aim_at(const StereoTracker& tracker) const;
+    std::optional<HeadAim> aim_alone() const;
+    std::optional<HeadAim> wanted_aim(const StereoTracker* target);
+    double age_s(std::int64_t now_ns) const;
+    std::optional<HeadAngles> angles_of_pan_tilt_picture();
+    void look_through_head();
     void steer();
     void publish();
     void announce(Event::Kind kind, std::string text);
@@ -80,6 +88,9 @@ class Pipeline {
     std::unique_ptr<HeadWorker> head_;
     std::shared_ptr<VehicleFeed> vehicle_;
     Steering steering_;
+    PanTiltServo servo_;
+    Frame pan_tilt_grey_;
+    bool steers_alone_ = false;
     std::optional<HeadAngles> commanded_;
     std::int64_t followed_ns_ = 0;  // when the head was last told by steering
     ImageSet images_;

@@ -9,10 +9,12 @@ namespace {
 
 using namespace json_fields;
 
+Json from_rectangle(const Rectangle& r) {
+    return {r.x, r.y, r.width, r.height};
+}
+
 Json fields_of(const SelectTemplate& c) {
-    Json json{
-        {"command", "select_template"},
-        {"rectangle_px", {c.rectangle.x, c.rectangle.y, c.rectangle.width, c.rectangle.height}}};
+    Json json{{"command", "select_template"}, {"rectangle_px", from_rectangle(c.rectangle)}};
     put_optional(json, "frame", c.frame);
     put_optional(json, "target", c.target);
     return json;
@@ -85,6 +87,12 @@ Json fields_of(const KeepPreset& c) {
 Json fields_of(const RecallPreset& c) {
     return {{"command", "recall_preset"}, {"number", c.number}};
 }
+Json fields_of(const ServoHead& c) {
+    return {{"command", "servo_head"}, {"on", c.on}};
+}
+Json fields_of(const SelectInPanTilt& c) {
+    return {{"command", "select_in_pan_tilt"}, {"rectangle_px", from_rectangle(c.rectangle)}};
+}
 Json fields_of(const CaptureView&) {
     return {{"command", "capture_view"}};
 }
@@ -149,6 +157,12 @@ std::optional<Command> read_head_command(const std::string& name, const Json& js
     }
     if (name == "steer_head") {
         return SteerHead{get<bool>(json, "automatic")};
+    }
+    if (name == "servo_head") {
+        return ServoHead{get<bool>(json, "on")};
+    }
+    if (name == "select_in_pan_tilt") {
+        return SelectInPanTilt{read_rectangle(json)};
     }
     if (name == "drive_head") {
         return DriveHead{get<double>(json, "pan_rad_s"), get<double>(json, "tilt_rad_s")};

@@ -96,21 +96,29 @@ Json json_of(const TrackSnapshot& track) {
     return json;
 }
 
-TrackSnapshot read_track(const Json& json) {
-    TrackSnapshot track;
-    track.id = get<int>(json, "id");
+TrackState read_state(const Json& json) {
     const auto state = track_state_from(get<std::string>(json, "state"));
     if (!state) {
         throw Fault{"\"state\" is not known"};
     }
-    track.estimate.state = *state;
-    track.estimate.reason = get<std::string>(json, "reason");
-    track.estimate.quality = get<double>(json, "quality");
+    return *state;
+}
+
+Eigen::Vector2i read_size(const Json& json) {
     const auto size = get_vector<2>(json, "template_size_px");
     if (!(size.cwiseAbs().maxCoeff() < 1e6)) {
         throw Fault{"\"template_size_px\" is not a size"};
     }
-    track.estimate.template_size_px = size.cast<int>();
+    return size.cast<int>();
+}
+
+TrackSnapshot read_track(const Json& json) {
+    TrackSnapshot track;
+    track.id = get<int>(json, "id");
+    track.estimate.state = read_state(json);
+    track.estimate.reason = get<std::string>(json, "reason");
+    track.estimate.quality = get<double>(json, "quality");
+    track.estimate.template_size_px = read_size(json);
     track.estimate.template_updates = get<int>(json, "template_updates");
     if (json.contains("left_px")) {
         track.estimate.left_px = get_vector<2>(json, "left_px");
@@ -181,6 +189,41 @@ HeadSnapshot read_head(const Json& json) {
     return head;
 }
 
+Json json_of(const ServoSnapshot& servo) {
+    Json json{{"on", servo.on},
+              {"state", to_string(servo.state)},
+              {"reason", servo.reason},
+              {"template_size_px", {servo.template_size_px.x(), servo.template_size_px.y()}},
+              {"quality", servo.quality},
+              {"alone", servo.alone}};
+    if (servo.pan_tilt_px) {
+        json["pan_tilt_px"] = from_vector<2>(*servo.pan_tilt_px);
+    }
+    if (servo.correction) {
+        json["correction_pan_rad"] = servo.correction->pan_rad;
+        json["correction_tilt_rad"] = servo.correction->tilt_rad;
+    }
+    return json;
+}
+
+ServoSnapshot read_servo(const Json& json) {
+    ServoSnapshot servo;
+    servo.on = get<bool>(json, "on");
+    servo.state = read_state(json);
+    servo.reason = get<std::string>(json, "reason");
+    servo.template_size_px = read_size(json);
+    servo.quality = get<double>(json, "quality");
+    servo.alone = get<bool>(json, "alone");
+    if (json.contains("pan_tilt_px")) {
+        servo.pan_tilt_px = get_vector<2>(json, "pan_tilt_px");
+    }
+    if (json.contains("correction_pan_rad")) {
+        servo.correction = HeadAngles{get<double>(json, "correction_pan_rad"),
+                                      get<double>(json, "correction_tilt_rad")};
+    }
+    return servo;
+}
+
 Snapshot read_snapshot(const Json& json) {
     Snapshot snapshot;
     snapshot.frame = get<std::int64_t>(json, "frame");
@@ -201,6 +244,9 @@ Snapshot read_snapshot(const Json& json) {
     snapshot.steered_target = get_optional<int>(json, "steered_target");
     if (json.contains("head")) {
         snapshot.head = read_head(json.at("head"));
+    }
+    if (json.contains("servo")) {
+        snapshot.servo = read_servo(json.at("servo"));
     }
     snapshot.rate_hz = get<double>(json, "rate_hz");
     snapshot.processing_ms = get<double>(json, "processing_ms");
@@ -233,6 +279,9 @@ std::string to_json(const Snapshot& snapshot) {
     }
     if (snapshot.head) {
         json["head"] = json_of(*snapshot.head);
+    }
+    if (snapshot.servo) {
+        json["servo"] = json_of(*snapshot.servo);
     }
     return text_of(json);
 }

@@ -43,6 +43,19 @@ struct HeadSnapshot {
     bool operator==(const HeadSnapshot&) const = default;
 };
 
+/// What the pan-tilt camera's own picture says of the steered target (ServoHead).
+struct ServoSnapshot {
+    bool on = false;
+    TrackState state = TrackState::idle;
+    std::string reason;                          ///< why the state is what it is
+    std::optional<Eigen::Vector2d> pan_tilt_px;  ///< where it is seen; empty unless for sure
+    Eigen::Vector2i template_size_px = Eigen::Vector2i::Zero();
+    double quality = 0.0;
+    std::optional<HeadAngles> correction;  ///< that the stereo pair's aim is given
+    bool alone = false;                    ///< the head follows by this picture alone
+    bool operator==(const ServoSnapshot&) const = default;
+};
+
 enum class RunState { paused, running, ended, failed };
 
 /// What the system knew after one pair of pictures. Immutable; readers hold it as long as they
@@ -55,9 +68,10 @@ struct Snapshot {
     std::vector<TrackSnapshot> tracks;  ///< by ascending id
     std::optional<int> steered_target;  ///< the one that the head is steered to; empty without any
     std::optional<HeadSnapshot> head;
-    double rate_hz = 0.0;            ///< pairs handled in a second, over the last one
-    double processing_ms = 0.0;      ///< time spent on this pair
-    double latency_ms = 0.0;         ///< from the pair's arrival to its result
+    std::optional<ServoSnapshot> servo;  ///< while it is on
+    double rate_hz = 0.0;                ///< pairs handled in a second, over the last one
+    double processing_ms = 0.0;          ///< time spent on this pair
+    double latency_ms = 0.0;             ///< from the pair's arrival to its result
     std::int64_t frames_total = -1;  ///< of a recording; -1 where there is no end or it is unknown
     std::uint64_t frames_lost = 0;  ///< that came while the pipeline was busy, or without a partner
     ImageSet pictures;

@@ -247,6 +247,10 @@ class VisionSystem final : public VsystemInterface {
             Result<Reply> operator()(const Seek& c) { return self.seek(c); }
             Result<Reply> operator()(const HoldFrame& c) { return self.pipeline_.hold(c); }
             Result<Reply> operator()(const SteerHead& c) { return self.pipeline_.steer_head(c); }
+            Result<Reply> operator()(const ServoHead& c) { return self.pipeline_.servo_head(c); }
+            Result<Reply> operator()(const SelectInPanTilt& c) {
+                return self.pipeline_.select_in_pan_tilt(c);
+            }
             Result<Reply> operator()(const CaptureView&) {
                 return self.views_.capture(self.pipeline_.images());
             }

@@ -24,6 +24,7 @@ constexpr double circle_speed_mm_s = 300.0;
 constexpr double circle_range_mm = 1500.0;
 // So that even the widest circle stays within the head's tilt.
 constexpr double circle_down_mm = 350.0;
+constexpr double like_apart_mm = 320.0;  // a little more than the target's side
 constexpr float paper_grey = 215.0F;
 constexpr float mark_grey = 30.0F;
 
@@ -81,7 +82,14 @@ Scene::Scene(const SimulatedProfile& profile, std::shared_ptr<HeldTarget> hand,
         arrange_calibration_target(*profile.calibration_target);
     } else {
         const double s = target_half_side_mm;
-        sheets_.push_back({{-s, -s, 0.0}, {2.0 * s, 0.0, 0.0}, {0.0, 2.0 * s, 0.0}, false});
+        for (int i = 0; i <= profile.likes; ++i) {
+            // The target, then by turns right and left of it, ever farther.
+            const int place = i % 2 == 1 ? (i + 1) / 2 : -i / 2;
+            sheets_.push_back({{like_apart_mm * place - s, -s, 0.0},
+                               {2.0 * s, 0.0, 0.0},
+                               {0.0, 2.0 * s, 0.0},
+                               false});
+        }
     }
 }
 

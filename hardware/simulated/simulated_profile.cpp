@@ -128,6 +128,9 @@ std::string apply(std::string_view key, std::string_view value, SimulatedProfile
     if (key == "circle") {
         return read_metres(value, 0.01, 0.6, profile.circle_mm);
     }
+    if (key == "likes") {
+        return read(value, 0, 10, profile.likes);
+    }
     if (key == "turn") {
         return read_degrees(value, 0, 400, profile.turn_rad_s);
     }

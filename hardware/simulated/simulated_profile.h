@@ -44,6 +44,7 @@ struct SimulatedProfile {
     double nearest_mm = 1350.0;   ///< of the moving target's path, along the rig's z axis
     double farthest_mm = 2550.0;  ///< likewise
     double circle_mm = 0.0;       ///< above 0: the moving target goes round on a circle instead
+    int likes = 0;                ///< copies of the moving target beside it, carried along
     double turn_rad_s = 0.0;      ///< the vehicle's largest turn rate, swinging to and fro
     double sway_mm_s = 0.0;       ///< its largest speed to the sides, likewise
     double turn_period_s = 2.0;   ///< of one swing
@@ -62,7 +63,7 @@ struct SimulatedProfile {
 /// experiment's 75 places, a second each), plumb (moved straight up and down). Keys: seed, noise,
 /// colour, lamps, water (clear, coastal, harbour: sets veil and medium and those between, each of
 /// which may be given as well), haze, veil, forward, blur, snow, particles, step, swap, nearest,
-/// farthest, circle (m; at 0.3 m/s, 1.5 m away), turn (degrees a second), sway (m/s), swing (s),
+/// farthest, likes, circle (m; at 0.3 m/s, 1.5 m away), turn (degrees a second), sway (m/s), swing (s),
 /// feed, feed_delay (s), feed_noise (degrees a second), frames, rate, medium (air, water), target.
 Result<SimulatedProfile> simulated_profile(std::string_view text);
 

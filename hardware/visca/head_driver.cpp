@@ -34,10 +34,15 @@ HeadDriver::HeadDriver(Link& link, HeadQueue& queue, const Clock& clock, Options
 
 void HeadDriver::step() {
     std::int64_t now_ns = clock_.now_ns();
-    if (!open_ && now_ns >= next_open_ns_) {
-        open_link(now_ns);
+    if (!open_) {
+        take_wishes(now_ns);
+        tell_wish(now_ns);
+        if (now_ns >= next_open_ns_) {
+            open_link(now_ns);
+        }
     }
     if (open_) {
+        tell_wish(now_ns);
         session_.tick(now_ns);
         follow_session(now_ns);
         take_wishes(now_ns);
@@ -59,6 +64,16 @@ void HeadDriver::step() {
         session_.receive(bytes, now_ns);
     }
     follow_session(now_ns);
+}
+
+// Where a head that is being reached again is to look.
+void HeadDriver::tell_wish(std::int64_t now_ns) {
+    bool look = !ready_ && model_ && halt_ == Halt::none && current_ &&
+                current_->motion.kind == Motion::Kind::look;
+    if (look && current_->motion.aim) {
+        look = now_ns - current_->motion.aim->computed_ns <= options_.stale_aim_ns;
+    }
+    session_.set_wish(look ? std::optional(message_of(current_->motion)) : std::nullopt);
 }
 
 void HeadDriver::open_link(std::int64_t now_ns) {
@@ -125,7 +140,9 @@ void HeadDriver::became_ready(std::int64_t now_ns) {
     session_.set_dialect(model->dialect());
     replaces_moves_ = model->replaces_moves;
     power_is_known_ = false;
-    position_asked_ns_ = 0;
+    power_asked_ns_ = 0;
+    // Due, but what is wanted of it comes first: so much time has been lost already.
+    position_asked_ns_ = now_ns - position_interval_ns();
     {
         std::lock_guard lock(mutex_);
         model_ = model;
@@ -271,10 +288,14 @@ std::uint64_t HeadDriver::position_readings() const {
     return readings_;
 }
 
-double HeadDriver::lag_s() const {
+// Until the motors are told.
+double HeadDriver::way_there_s() const {
     constexpr double half_field_s = 1.0 / 120.0;
-    return 1e-9 * static_cast<double>(bytes_of_look * options_.session.byte_ns) + half_field_s +
-           options_.motor_lag_s;
+    return 1e-9 * static_cast<double>(bytes_of_look * options_.session.byte_ns) + half_field_s;
+}
+
+double HeadDriver::lag_s() const {
+    return way_there_s() + options_.motor_lag_s;
 }
 
 double HeadDriver::oldest_aim_s() const {

@@ -38,6 +38,9 @@ class HeadDriver {
         std::int64_t reopen_ns = 50'000'000;
         /// How much later than told the motors are where they should be while they follow.
         double motor_lag_s = 0.05;
+        /// While it follows something, the head turns no faster than gets it to the aim just in
+        /// time, so that it does not stop and start with every aim.
+        bool paces = true;
         /// An aim that could not be told for so long is dropped: a newer one will come, unless the
         /// target is not seen any more.
         std::int64_t stale_aim_ns = 50'000'000;
@@ -87,6 +90,7 @@ class HeadDriver {
         std::optional<std::int64_t> superseded_ns = std::nullopt;
     };
 
+    void tell_wish(std::int64_t now_ns);
     void open_link(std::int64_t now_ns);
     void lose_link(const Error& error, std::int64_t now_ns);
     void follow_session(std::int64_t now_ns);
@@ -104,6 +108,8 @@ class HeadDriver {
     bool send_cancel(std::int64_t now_ns);
     bool send_motion(std::int64_t now_ns);
     void take_aim(Motion& motion, std::int64_t now_ns) const;
+    std::optional<HeadAngles> pace_towards(const HeadAngles& angles, std::int64_t now_ns) const;
+    double way_there_s() const;
     bool send_setting(std::int64_t now_ns);
     void ask(Op inquiry, std::int64_t now_ns);
     Message message_of(const Motion& motion) const;
@@ -135,7 +141,9 @@ class HeadDriver {
     Session::Id halt_id_ = 0;
     std::int64_t halt_not_before_ns_ = 0;
     std::optional<Setting> setting_;
+    bool motion_unanswered_ = false;
     std::int64_t position_asked_ns_ = 0;
+    std::int64_t power_asked_ns_ = 0;
     std::int64_t lens_asked_ns_ = 0;
     int lens_turn_ = 0;
     bool power_is_known_ = false;

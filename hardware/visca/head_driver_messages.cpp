@@ -21,6 +21,8 @@ constexpr int most_refusals = 4;
 constexpr int most_corrections = 3;
 constexpr int most_syntax_errors = 10;  // in a row
 constexpr double correction_steps = 1.5;
+// Between two questions whether it is on, so that they keep nothing else waiting.
+constexpr std::int64_t power_interval_ns = 150 * ms;
 constexpr std::int64_t lens_interval_ns = 400 * ms;
 // The longest way of any model at full speed, and time to spare; home, reset and presets have their
 // own speeds, and power takes its time.
@@ -93,10 +95,13 @@ void HeadDriver::send_next(std::int64_t now_ns) {
     const std::int64_t due_ns = position_asked_ns_ + position_interval_ns();
     const bool overdue = now_ns >= due_ns + position_interval_ns();
     const bool hand = current_ && current_->motion.by_hand;
-    if ((hand || !overdue) && halt_ == Halt::none && cancels_.empty() && send_motion(now_ns)) {
+    // Where it looks is of little use while it is not known to have been told where to.
+    if ((hand || !overdue || motion_unanswered_) && halt_ == Halt::none && cancels_.empty() &&
+        send_motion(now_ns)) {
         return;
     }
-    if (!power_is_known_) {
+    if (!power_is_known_ && now_ns >= power_asked_ns_ + power_interval_ns) {
+        power_asked_ns_ = now_ns;
         ask(Op::ask_power, now_ns);
         return;
     }
@@ -141,6 +146,20 @@ void HeadDriver::take_aim(Motion& motion, std::int64_t now_ns) const {
         motion.aim->at(now_ns + static_cast<std::int64_t>(std::llround(lag_s() * 1e9)));
     motion.angles = {std::clamp(then.pan_rad, -limits.pan_rad, limits.pan_rad),
                      std::clamp(then.tilt_rad, -limits.tilt_rad, limits.tilt_rad)};
+    motion.speed_rad_s = pace_towards(motion.angles, now_ns);
+}
+
+// From where the head will be when it is told, in the time that the motors are given: where a
+// target goes on at its rate, that is its rate.
+std::optional<HeadAngles> HeadDriver::pace_towards(const HeadAngles& angles,
+                                                   std::int64_t now_ns) const {
+    std::lock_guard lock(mutex_);
+    if (!options_.paces || !(options_.motor_lag_s > 0.0) || !estimate_.known()) {
+        return std::nullopt;
+    }
+    const HeadAngles from = estimate_.at(now_ns + std::llround(way_there_s() * 1e9)).angles;
+    return HeadAngles{std::abs(angles.pan_rad - from.pan_rad) / options_.motor_lag_s,
+                      std::abs(angles.tilt_rad - from.tilt_rad) / options_.motor_lag_s};
 }
 
 bool HeadDriver::send_motion(std::int64_t now_ns) {
@@ -187,10 +206,13 @@ Message HeadDriver::message_of(const Motion& motion) const {
     const double pan_deg = deg_from_rad(motion.angles.pan_rad);
     const double tilt_deg = deg_from_rad(motion.angles.tilt_rad);
     switch (motion.kind) {
-        case Motion::Kind::look:
+        case Motion::Kind::look: {
+            const auto& speed = motion.speed_rad_s;
             return {Op::absolute,
-                    {pan.fastest_code, tilt.fastest_code, pan.steps_from_deg(pan_deg),
-                     tilt.steps_from_deg(tilt_deg)}};
+                    {speed ? pan.nearest_code(deg_from_rad(speed->pan_rad)) : pan.fastest_code,
+                     speed ? tilt.nearest_code(deg_from_rad(speed->tilt_rad)) : tilt.fastest_code,
+                     pan.steps_from_deg(pan_deg), tilt.steps_from_deg(tilt_deg)}};
+        }
         case Motion::Kind::drive: {
             const auto way = [](double speed, int back, int forth) {
                 return speed < 0.0 ? back : (speed > 0.0 ? forth : stop_code);
@@ -294,6 +316,8 @@ void HeadDriver::handle_motion(const Outcome& outcome, std::int64_t now_ns) {
             estimate_.set_target(
                 HeadAngles{rad_from_deg(model_->pan.deg_from_steps(message.values[2])),
                            rad_from_deg(model_->tilt.deg_from_steps(message.values[3]))},
+                HeadAngles{rad_from_deg(model_->pan.speed_deg_s(message.values[0])),
+                           rad_from_deg(model_->tilt.speed_deg_s(message.values[1]))},
                 now_ns);
         } else if (motion.kind == Motion::Kind::drive) {
             estimate_.set_drive(motion.angles.pan_rad, motion.angles.tilt_rad, now_ns);
@@ -303,6 +327,7 @@ void HeadDriver::handle_motion(const Outcome& outcome, std::int64_t now_ns) {
         }
     }
     if (outcome.kind == Outcome::Kind::acknowledged) {
+        motion_unanswered_ = false;
         syntax_errors_ = 0;
         for (auto& [id, move] : moves_) {
             move.superseded_ns = move.superseded_ns.value_or(now_ns);
@@ -351,6 +376,7 @@ void HeadDriver::handle_motion(const Outcome& outcome, std::int64_t now_ns) {
             break;
         default:  // no reply, or the link was lost
             current_->stage = Stage::waiting;
+            motion_unanswered_ = true;
             if (outcome.message.op == Op::reset) {
                 current_.reset();
             }

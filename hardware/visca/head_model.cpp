@@ -155,6 +155,14 @@ int AxisModel::code_for(double speed_deg_s) const {
     return std::clamp(static_cast<int>(std::floor(share * fastest_code + 1e-9)), 1, fastest_code);
 }
 
+int AxisModel::nearest_code(double speed_deg_s) const {
+    return code_for(std::abs(speed_deg_s) + 0.5 * fastest_deg_s / std::max(1, fastest_code));
+}
+
+double AxisModel::speed_deg_s(int code) const {
+    return fastest_code == 0 ? fastest_deg_s : fastest_deg_s * code / fastest_code;
+}
+
 double ZoomModel::horizontal_view_rad(double position) const {
     if (!(wide_f_mm > 0.0 && tele_f_mm > 0.0 && sensor_width_mm > 0.0) && curve.empty()) {
         return 0.0;

@@ -29,6 +29,10 @@ struct AxisModel {
     double deg_from_steps(double steps) const { return sign * steps / steps_per_deg; }
     /// The code for at most this speed, and at least the slowest there is.
     int code_for(double speed_deg_s) const;
+    /// The code nearest to this speed, likewise.
+    int nearest_code(double speed_deg_s) const;
+    /// What a code means; speeds are linear in their codes.
+    double speed_deg_s(int code) const;
 };
 
 struct ZoomModel {

@@ -24,6 +24,8 @@ struct Motion {
     bool by_hand = false;
     /// Of a look that steering wants: the angles are its, as of the time it is told.
     std::optional<HeadAim> aim = std::nullopt;
+    /// Of a look: how fast it turns there, each axis by itself; empty: as fast as it can.
+    std::optional<HeadAngles> speed_rad_s = std::nullopt;
 };
 
 /// What is wanted of a head and was not told it yet. A newer motion takes the place of an older

@@ -27,8 +27,15 @@ void PositionEstimate::set_target(const std::optional<HeadAngles>& target, std::
         reading_ = Reading{moved_on(time_ns), std::max(time_ns, reading_->time_ns)};
     }
     target_ = target;
+    pursuit_rad_s_ = {pan_speed_rad_s_, tilt_speed_rad_s_};
     drive_.reset();
     since_ns_ = time_ns;
+}
+
+void PositionEstimate::set_target(const HeadAngles& target, const HeadAngles& speed_rad_s,
+                                  std::int64_t time_ns) {
+    set_target(target, time_ns);
+    pursuit_rad_s_ = speed_rad_s;
 }
 
 void PositionEstimate::set_drive(double pan_rad_s, double tilt_rad_s, std::int64_t time_ns) {
@@ -79,8 +86,8 @@ HeadAngles PositionEstimate::moved_on(std::int64_t time_ns) const {
     if (!target_) {
         return from;
     }
-    return {towards(from.pan_rad, target_->pan_rad, pan_speed_rad_s_ * passed_s),
-            towards(from.tilt_rad, target_->tilt_rad, tilt_speed_rad_s_ * passed_s)};
+    return {towards(from.pan_rad, target_->pan_rad, pursuit_rad_s_.pan_rad * passed_s),
+            towards(from.tilt_rad, target_->tilt_rad, pursuit_rad_s_.tilt_rad * passed_s)};
 }
 
 HeadStatus PositionEstimate::at(std::int64_t time_ns) const {

@@ -17,6 +17,8 @@ class PositionEstimate {
     void set_speeds(double pan_rad_s, double tilt_rad_s);
     /// From then on it turns there; empty: it is not known to turn anywhere.
     void set_target(const std::optional<HeadAngles>& target, std::int64_t time_ns);
+    /// Slower than it could.
+    void set_target(const HeadAngles& target, const HeadAngles& speed_rad_s, std::int64_t time_ns);
     /// It turns at these speeds.
     void set_drive(double pan_rad_s, double tilt_rad_s, std::int64_t time_ns);
 
@@ -45,6 +47,7 @@ class PositionEstimate {
     std::optional<Reading> reading_;
     std::optional<Reading> doubtful_;
     std::optional<HeadAngles> target_;
+    HeadAngles pursuit_rad_s_;         // the speeds on the way to the target
     std::optional<HeadAngles> drive_;  // speeds
     std::int64_t since_ns_ = 0;        // the target is pursued
     bool at_rest_ = false;

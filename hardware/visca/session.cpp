@@ -15,8 +15,13 @@ using Kind = HeadNote::Kind;
 constexpr int tries_before_no_addresses = 3;
 // A start-up that is stuck in a later step begins again.
 constexpr int tries_before_over = 3;
+// Of a head that is known, every so many tries: it may have lost its power, and its address.
+constexpr int tries_before_address = 4;
 // Beside what replies have taken so far.
-constexpr std::int64_t margin_ns = 10'000'000;
+constexpr std::int64_t margin_ns = 5'000'000;
+constexpr double farthest_deviations = 3.0;
+// So much longer is waited after every miss in a row.
+constexpr double growing_patience = 1.25;
 
 bool may_be_repeated(const Message& message) {
     switch (message.op) {
@@ -63,30 +68,37 @@ bool Session::socket_free() const {
     return static_cast<int>(executing_.size()) < sockets;
 }
 
-std::int64_t Session::reply_deadline_ns(const Bytes& packet, std::int64_t now_ns) const {
-    const auto bytes = static_cast<std::int64_t>(packet.size() + longest_packet);
-    std::int64_t patience_ns = options_.reply_timeout_ns;
-    // The mean and four deviations, as TCP waits; after a miss all the time there is.
-    if (reply_mean_ns_ >= 0.0 && unanswered_ == 0) {
-        const auto learnt_ns =
-            static_cast<std::int64_t>(reply_mean_ns_ + 4.0 * reply_deviation_ns_) + margin_ns;
-        patience_ns = std::min(patience_ns, learnt_ns);
+std::int64_t Session::line_ns(std::size_t bytes) const {
+    return static_cast<std::int64_t>(bytes) * options_.byte_ns;
+}
+
+std::int64_t Session::reply_deadline_ns(const Bytes& packet, std::int64_t now_ns,
+                                        int misses) const {
+    std::int64_t patience_ns = options_.reply_timeout_ns + line_ns(longest_packet);
+    // The mean and four deviations, as TCP waits; longer after misses, since it may be slow.
+    if (reply_mean_ns_ >= 0.0) {
+        const double learnt_ns = reply_mean_ns_ + 4.0 * reply_deviation_ns_ + margin_ns;
+        patience_ns = std::min(
+            patience_ns, static_cast<std::int64_t>(learnt_ns * std::pow(growing_patience, misses)));
     }
-    return now_ns + bytes * options_.byte_ns + patience_ns;
+    return now_ns + line_ns(packet.size()) + patience_ns;
 }
 
 void Session::learn_reply_time(const Sent& sent, std::int64_t now_ns) {
     if (sent.tries > 1) {
         return;  // it is not known which one was replied to
     }
-    const auto took_ns = static_cast<double>(now_ns - sent.sent_ns);
+    const auto took_ns = static_cast<double>(now_ns - sent.out_ns);
     if (reply_mean_ns_ < 0.0) {
         reply_mean_ns_ = took_ns;
         reply_deviation_ns_ = 0.5 * took_ns;
         return;
     }
-    reply_deviation_ns_ += 0.25 * (std::abs(took_ns - reply_mean_ns_) - reply_deviation_ns_);
-    reply_mean_ns_ += 0.125 * (took_ns - reply_mean_ns_);
+    // One that was held up on its way says little of the next ones.
+    const double most_ns = farthest_deviations * reply_deviation_ns_ + margin_ns;
+    const double off_ns = std::clamp(took_ns - reply_mean_ns_, -most_ns, most_ns);
+    reply_deviation_ns_ += 0.25 * (std::abs(off_ns) - reply_deviation_ns_);
+    reply_mean_ns_ += 0.125 * off_ns;
 }
 
 Session::Id Session::send(const Message& message, std::int64_t now_ns, const Sending& sending) {
@@ -94,8 +106,13 @@ Session::Id Session::send(const Message& message, std::int64_t now_ns, const Sen
         throw std::logic_error("kambara::visca::Session: it is not free");
     }
     const Bytes packet = encode(message, options_.address, options_.dialect);
-    waiting_ = Sent{++last_id_, message, sequence_ + 1, 1, reply_deadline_ns(packet, now_ns),
-                    sending,    now_ns};
+    waiting_ = Sent{++last_id_,
+                    message,
+                    sequence_ + 1,
+                    1,
+                    reply_deadline_ns(packet, now_ns, unanswered_),
+                    sending,
+                    now_ns + line_ns(packet.size())};
     transmit(packet);
     return last_id_;
 }
@@ -149,7 +166,7 @@ void Session::waiting_timed_out(std::int64_t now_ns) {
         note(Kind::warning, "No reply to " + name + ": it is sent again.");
         const Bytes packet = encode(waiting_->message, options_.address, options_.dialect);
         ++waiting_->tries;
-        waiting_->deadline_ns = reply_deadline_ns(packet, now_ns);
+        waiting_->deadline_ns = reply_deadline_ns(packet, now_ns, unanswered_);
         transmit(packet, true);
         return;
     }
@@ -229,6 +246,10 @@ void Session::enter(State state, std::int64_t now_ns) {
 
 void Session::send_start_message(std::int64_t now_ns) {
     ++start_tries_;
+    // Of one that is known now and then long, in case that it has become slow; seldom so, since the
+    // plug may be back at any time.
+    const int misses =
+        !knows_address_ || start_tries_ % tries_before_address == 0 ? start_tries_ : 0;
     // Over IP nothing is broadcast; nor where the camera knows no addresses.
     const bool broadcasts = cameras_ > 0;
     const Bytes version = encode({Op::ask_version}, options_.address);
@@ -236,17 +257,23 @@ void Session::send_start_message(std::int64_t now_ns) {
     if (state_ == State::resetting) {
         sequence_ = 0;
         output_.push_back(encode(sequence_reset()));
-        start_deadline_ns_ = reply_deadline_ns(output_.back(), now_ns);
+        start_deadline_ns_ = reply_deadline_ns(output_.back(), now_ns, misses);
         return;
     }
-    // One that was known before may still know its address: every other time it is asked.
-    if (state_ == State::addressing && !(knows_address_ && start_tries_ % 2 == 1)) {
+    // One that was known before most likely still knows its address: it is just asked.
+    if (state_ == State::addressing &&
+        !(knows_address_ && start_tries_ % tries_before_address != 0)) {
         packet = encode({Op::address_set, {1}}, broadcast_address);
     } else if (state_ == State::clearing) {
         packet = encode({Op::if_clear}, broadcasts ? broadcast_address : options_.address);
     }
     transmit(packet);
-    start_deadline_ns_ = reply_deadline_ns(packet, now_ns);
+    start_deadline_ns_ = reply_deadline_ns(packet, now_ns, misses);
+    if (state_ == State::addressing && packet == version && wish_) {
+        const Bytes wished = encode(*wish_, options_.address, options_.dialect);
+        transmit(wished);
+        start_deadline_ns_ += line_ns(wished.size());
+    }
 }
 
 void Session::start_step_timed_out(std::int64_t now_ns) {
@@ -276,7 +303,9 @@ bool Session::receive_in_start(const ReplyFrom& from, std::int64_t now_ns) {
                                   std::to_string(cameras_) +
                                   " answered. Choose another address, or check the chain.");
         }
-        enter(State::clearing, now_ns);
+        // Of one that was known before nothing is to be cleared: what it executes is replaced, and
+        // when it lost its power, it executes nothing.
+        enter(knows_address_ ? State::identifying : State::clearing, now_ns);
         return true;
     }
     const auto* done = std::get_if<Completed>(&from.reply);
@@ -297,6 +326,12 @@ bool Session::receive_in_start(const ReplyFrom& from, std::int64_t now_ns) {
             }
             return true;
         }
+    }
+    // The question was damaged on its way.
+    if (asked && std::holds_alternative<Refused>(from.reply) && from.address == options_.address &&
+        start_tries_ < tries_before_over) {
+        send_start_message(now_ns);
+        return true;
     }
     return false;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/devices/pan_tilt_camera.h"
@@ -41,10 +42,11 @@ struct Identity {
 ///                        ^                                                                  |
 ///                        '------------- network change, no answer any more ------------- ready
 ///
-/// Start-up is tried again without end; a head that has answered before is first asked whether it
-/// still knows its address, which is quicker. Of a message that was given to `send` exactly one
-/// last outcome comes; a command has `acknowledged` before it. What is sent again without need does
-/// no harm (a position), else it is not (a relative move, a switch to the other position).
+/// Start-up is tried again without end; a head that has answered before is asked who it is, and
+/// only every fourth time given an address again, which takes longer. Of a message that was given
+/// to `send` exactly one last outcome comes; a command has `acknowledged` before it. What is sent
+/// again without need does no harm (a position), else it is not (a relative move, a switch to the
+/// other position).
 class Session {
   public:
     struct Options {
@@ -54,7 +56,8 @@ class Session {
         /// Replies with another sequence number are passed over. Some cameras count wrongly.
         bool checks_sequence = true;
         /// From when a packet is out until its reply must have come: the four fields of the slowest
-        /// camera known. Once replies have shown to come sooner, less is waited for the next one.
+        /// camera known. Once replies have shown to come sooner, less is waited for the next one,
+        /// and more again after each that did not come.
         std::int64_t reply_timeout_ns = 80'000'000;
         /// What a byte takes on the line.
         std::int64_t byte_ns = 0;
@@ -99,6 +102,11 @@ class Session {
     const std::optional<Identity>& identity() const { return identity_; }
     void set_dialect(const Dialect& dialect) { options_.dialect = dialect; }
 
+    /// What a head that has answered before is told along with each question who it is, since
+    /// perhaps only its answers are held up. Nothing is heard of it: it is to be sent again once
+    /// the head answers. Harmless when repeated; empty: nothing.
+    void set_wish(std::optional<Message> wish) { wish_ = std::move(wish); }
+
     /// Something can be sent now; a command needs a free socket as well.
     bool free(std::int64_t now_ns) const;
     bool socket_free() const;
@@ -137,7 +145,7 @@ class Session {
         int tries = 1;
         std::int64_t deadline_ns = 0;
         Sending sending;
-        std::int64_t sent_ns = 0;
+        std::int64_t out_ns = 0;  // its last byte
     };
     struct Executing {
         Id id = 0;
@@ -155,7 +163,8 @@ class Session {
     void transmit(const Bytes& packet, bool again = false);
     void waiting_timed_out(std::int64_t now_ns);
     void learn_reply_time(const Sent& sent, std::int64_t now_ns);
-    std::int64_t reply_deadline_ns(const Bytes& packet, std::int64_t now_ns) const;
+    std::int64_t line_ns(std::size_t bytes) const;
+    std::int64_t reply_deadline_ns(const Bytes& packet, std::int64_t now_ns, int misses) const;
     void receive_packet(std::span<const std::uint8_t> packet, Sequence sequence,
                         std::int64_t now_ns);
     void receive_control(const Datagram& datagram, std::int64_t now_ns);
@@ -180,9 +189,10 @@ class Session {
     int start_tries_ = 0;
     int unanswered_ = 0;  // in a row
     std::int64_t heard_ns_ = 0;
+    std::optional<Message> wish_;
     bool knows_address_ = false;        // as it answered, and was not powered since
     std::optional<Identity> doubtful_;  // said once, and not what it was before
-    double reply_mean_ns_ = -1.0;       // beside the time on the line; below 0: not known
+    double reply_mean_ns_ = -1.0;       // from a packet's last byte on; below 0: not known
     double reply_deviation_ns_ = 0.0;
     std::int64_t start_deadline_ns_ = 0;
     bool silence_noted_ = false;

@@ -73,7 +73,7 @@ void Session::receive_control(const Datagram& datagram, std::int64_t now_ns) {
     ++waiting_->tries;
     waiting_->sequence = sequence_ + 1;
     const Bytes packet = encode(waiting_->message, options_.address, options_.dialect);
-    waiting_->deadline_ns = reply_deadline_ns(packet, now_ns);
+    waiting_->deadline_ns = reply_deadline_ns(packet, now_ns, unanswered_);
     transmit(packet);
 }
 

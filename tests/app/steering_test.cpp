@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <cstdio>
 #include <filesystem>
 #include <mutex>
@@ -34,6 +35,86 @@ double tracked_share(const std::string& profile) {
     const auto outcome = cli::run_track(options);
     EXPECT_FALSE(outcome.failure) << outcome.failure->text();
     return nlohmann::json::parse(outcome.json)["truth"]["tracked_fraction"].get<double>();
+}
+
+struct Shares {
+    double right = 0.0;    // of the frames: Tracking, and the position is the target's
+    double wrong = 0.0;    // Tracking something else
+    double in_field = 0.0;  // of the target's middle, in both pictures
+    double px_a_frame = 0.0;  // the fastest that it crosses the left picture
+};
+
+Shares shares_of(const std::string& profile) {
+    constexpr double near_share = 0.02;  // of the distance; likes are 0.3 m off
+    SteadyClock clock;
+    SourceOptions options;
+    options.left = "sim:" + profile;
+    auto sources = open_sources(options, clock);
+    EXPECT_TRUE(sources.ok()) << sources.error().text();
+    const auto world = sources->world;
+    VisionSystemOptions system_options;
+    system_options.every_frame = true;
+    system_options.start_paused = true;
+    auto opened = open_vision_system(std::move(sources->parts), system_options, clock);
+    EXPECT_TRUE(opened.ok()) << opened.error().text();
+    VsystemInterface& system = **opened;
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool over = false;
+    Shares shares;
+    std::int64_t last = 0;
+    double count = 0.0;
+    std::optional<Eigen::Vector2d> before;
+    const auto observation = system.observe([&](const SnapshotPtr& snapshot) {
+        std::lock_guard lock(mutex);
+        if (snapshot->frame > last) {
+            last = snapshot->frame;
+            count += 1.0;
+            const Eigen::Vector3d truth = world->T_left_from_target(last).t_mm;
+            const Rig& rig = world->rig();
+            const Eigen::Vector3d in_rig = rig.left.T_camera_from_rig.inverse() * truth;
+            const auto left = rig.left.project(in_rig);
+            const auto right = rig.right->project(in_rig);
+            const bool seen = left && right && rig.left.sees(*left) && rig.right->sees(*right);
+            shares.in_field += seen ? 1.0 : 0.0;
+            if (left && before) {
+                shares.px_a_frame = std::max(shares.px_a_frame, (*left - *before).norm());
+            }
+            before = left;
+            const TrackEstimate estimate = steered_estimate(*snapshot);
+            if (estimate.state == TrackState::tracking && estimate.position) {
+                const bool near = (estimate.position->point_in_left_mm - truth).norm() <
+                                  near_share * truth.norm();
+                (near ? shares.right : shares.wrong) += 1.0;
+            }
+        }
+        over = snapshot->run == RunState::ended || snapshot->run == RunState::failed;
+        changed.notify_all();
+    });
+    for (const Command& command :
+         {Command(SelectTemplate{world->suggested_template(31), 0}), Command(StartTracking{}),
+          Command(Flow{Flow::Kind::run})}) {
+        const auto done = system.execute(command);
+        EXPECT_TRUE(done.ok()) << done.error().text();
+    }
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [&] { return over; });
+    for (double* share : {&shares.right, &shares.wrong, &shares.in_field}) {
+        *share /= count;
+    }
+    return shares;
+}
+
+TEST(VehicleSteeringSlow, TRY) {
+    for (const char* swing : {"0.63", "0.8"})
+    for (int likes : {0, 2, 6})
+    for (int seed : {1, 3}) {
+        const std::string profile = "default?frames=90&turn=270&swing=" + std::string(swing) + "&likes=" + std::to_string(likes) + "&seed=" + std::to_string(seed);
+        for (const char* more : {"", "&feed_delay=0.05", "&feed=0"}) {
+            const Shares s = shares_of(profile + more);
+            std::printf("%s%s: right %.3f wrong %.3f field %.3f px %.1f\n", profile.c_str(), more, s.right, s.wrong, s.in_field, s.px_a_frame);
+        }
+    }
 }
 
 // Sixty pixels a frame at 30 frames a second: 270 degrees a second. The target even leaves the

@@ -31,6 +31,9 @@ const std::vector<Command> all_commands{
     HoldFrame{7},
     SteerHead{false},
     SteerHead{true},
+    ServoHead{},
+    ServoHead{false},
+    SelectInPanTilt{{5, 6, 41, 31}},
     CaptureView{},
     Calibrate{"chessboard:9x6:30"},
     Flow{Flow::Kind::run},
@@ -50,7 +53,7 @@ const std::vector<Command> all_commands{
 };
 
 TEST(Serialise, EveryCommandComesBackAsItWas) {
-    ASSERT_EQ(std::variant_size_v<Command>, 24U) << "add the new command to the list above";
+    ASSERT_EQ(std::variant_size_v<Command>, 26U) << "add the new command to the list above";
     for (const Command& command : all_commands) {
         const auto back = command_from_json(to_json(command));
         ASSERT_TRUE(back) << back.error().text();
@@ -113,6 +116,14 @@ Snapshot full_snapshot() {
     snapshot.head->lens = LensStatus{0.25, 1.0 / 3.0, 0.8, 0.75, false};
     snapshot.head->abilities = {true, false, true, false, true, 6};
     snapshot.head->limits = {1.0, 0.5, 0.7, 1.0 / 3.0};
+    snapshot.servo = ServoSnapshot{true,
+                                   TrackState::doubtful,
+                                   "dim",
+                                   Eigen::Vector2d(319.5, 1.0 / 3.0),
+                                   {41, 31},
+                                   0.4,
+                                   HeadAngles{-0.01, 1.0 / 7.0},
+                                   true};
     return snapshot;
 }
 
@@ -126,6 +137,7 @@ TEST(Serialise, ASnapshotComesBackAsItWas) {
         EXPECT_EQ(back->run, snapshot.run);
         EXPECT_EQ(back->failure, snapshot.failure);
         EXPECT_EQ(back->head, snapshot.head);
+        EXPECT_EQ(back->servo, snapshot.servo);
         EXPECT_EQ(back->steered_target, snapshot.steered_target);
         EXPECT_EQ(back->frames_lost, snapshot.frames_lost);
         EXPECT_EQ(back->latency_ms, snapshot.latency_ms);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "hardware/visca/head_driver.h"
@@ -31,12 +32,9 @@ struct Outcome {
     double longest_return_s() const {
         return returns_s.empty() ? 0.0 : *std::max_element(returns_s.begin(), returns_s.end());
     }
-    double returns_within(double seconds) const {
-        const auto good = std::count_if(returns_s.begin(), returns_s.end(),
-                                        [&](double took_s) { return took_s <= seconds; });
-        return returns_s.empty()
-                   ? 1.0
-                   : static_cast<double>(good) / static_cast<double>(returns_s.size());
+    double mean_return_s() const {
+        const double sum = std::accumulate(returns_s.begin(), returns_s.end(), 0.0);
+        return returns_s.empty() ? 0.0 : sum / static_cast<double>(returns_s.size());
     }
     int notes_with(const char* text) const {
         int count = 0;
@@ -133,9 +131,7 @@ void expect_good(const Outcome& outcome, double seconds, bool device_vanishes) {
     const int unplugs = static_cast<int>(seconds / unplug_every_s);
     EXPECT_EQ(outcome.unplugs, unplugs);
     EXPECT_GE(static_cast<int>(outcome.returns_s.size()), unplugs - 1) << "stuck";
-    // One packet that is late by 0.3 s at the wrong moment, and another one lost, may cost more.
-    EXPECT_GE(outcome.returns_within(1.0), 0.9);
-    EXPECT_LE(outcome.longest_return_s(), 1.5);
+    EXPECT_LE(outcome.longest_return_s(), 1.0);
     EXPECT_LE(outcome.longest_astray_s, 2.0) << "stuck";
     EXPECT_GE(outcome.on_target_share, 0.8);
     // Each unplugging and each return is in the log, and what went wrong in between.
@@ -152,10 +148,10 @@ void expect_good(const Outcome& outcome, double seconds, bool device_vanishes) {
 
 void print(const char* what, const Outcome& outcome) {
     std::printf(
-        "%s: %d unplugs, back within %.2f s (%.0f %% within 1 s), astray %.2f s at most, on target "
+        "%s: %d unplugs, back within %.2f s (mean %.2f), astray %.2f s at most, on target "
         "%.1f %%, %d "
         "packets sent, status within %.1f deg\n",
-        what, outcome.unplugs, outcome.longest_return_s(), 100.0 * outcome.returns_within(1.0),
+        what, outcome.unplugs, outcome.longest_return_s(), outcome.mean_return_s(),
         outcome.longest_astray_s, 100.0 * outcome.on_target_share, outcome.commands,
         outcome.status_error_deg);
 }
@@ -169,14 +165,21 @@ TEST(ViscaFaults, AMinuteOnABadLine) {
 }
 
 TEST(ViscaFaultsSlow, TenMinutesOnBadLines) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    std::size_t returns = 0;
+    double longest_s = 0.0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         for (const bool vanishes : {true, false}) {
             SCOPED_TRACE(testing::Message() << "seed " << seed << " vanishes " << vanishes);
             const Outcome outcome = follow(600.0, bad_line(seed), vanishes);
             expect_good(outcome, 600.0, vanishes);
             print(vanishes ? "device vanishes" : "line goes silent", outcome);
+            returns += outcome.returns_s.size();
+            longest_s = std::max(longest_s, outcome.longest_return_s());
         }
     }
+    EXPECT_GE(returns, 500U);
+    std::printf("%zu returns of the plug, back on target within %.2f s each time\n", returns,
+                longest_s);
 }
 
 TEST(ViscaFaults, UnplugsAloneCostNoMoreThanASecond) {

@@ -37,11 +37,11 @@ struct Outcome {
     double at_95_deg = 0.0;
     double worst_deg = 0.0;
     double oldest_aim_s = 0.0;
-    double speed_spread_deg_s = 0.0;  // of the head's speed about the target's
+    double rms_acceleration_deg_s2 = 0.0;  // of the head, both axes
     bool within_limits = true;
 };
 
-Outcome follow_circle(double radius_mm, bool leads, double seconds) {
+Outcome follow_circle(double radius_mm, bool leads, double seconds, bool paces = true) {
     const Rig rig = nominal_rig();
     const Eigen::Vector3d middle_in_rig(225.0, 350.0, 1500.0);
     const auto truth = [&](std::int64_t time_ns) {
@@ -56,6 +56,7 @@ Outcome follow_circle(double radius_mm, bool leads, double seconds) {
     HeadDriver::Options options;
     options.heads = built_in_heads();
     options.session.byte_ns = byte_time_ns(9600);
+    options.paces = paces;
     SimulatedLine line(clock.now_ns());
     SimulatedLink link(clock, line);
     HeadDriver driver(link, queue, clock, options);
@@ -68,7 +69,9 @@ Outcome follow_circle(double radius_mm, bool leads, double seconds) {
     const auto end_ns = start_ns + static_cast<std::int64_t>(seconds * 1e9);
     std::int64_t exposed_ns = start_ns;
     std::int64_t looked_ns = start_ns;
+    std::int64_t placed_ns = start_ns;
     std::vector<double> errors_deg;
+    std::vector<Vector2d> places_deg;  // every 10 ms
     Outcome outcome;
     while (clock.now_ns() < end_ns) {
         driver.step();
@@ -108,6 +111,11 @@ Outcome follow_circle(double radius_mm, bool leads, double seconds) {
             outcome.within_limits = outcome.within_limits && std::abs(state.pan_steps) <= 880.0 &&
                                     std::abs(state.tilt_steps) <= 300.0;
             if (now_ns > start_ns + 2'000 * ms) {
+                if (now_ns >= placed_ns + 10 * ms) {
+                    placed_ns = now_ns;
+                    places_deg.emplace_back(deg_from_rad(looks.pan_rad),
+                                            deg_from_rad(looks.tilt_rad));
+                }
                 errors_deg.push_back(deg_from_rad(aiming_error_rad(rig, looks, truth(now_ns))));
             }
         }
@@ -118,6 +126,15 @@ Outcome follow_circle(double radius_mm, bool leads, double seconds) {
         static_cast<double>(within - errors_deg.begin()) / static_cast<double>(errors_deg.size());
     outcome.at_95_deg = errors_deg[errors_deg.size() * 95 / 100];
     outcome.worst_deg = errors_deg.back();
+    double square_sum = 0.0;
+    for (std::size_t i = 2; i < places_deg.size(); ++i) {
+        constexpr double step_s = 0.01;
+        const Vector2d acceleration =
+            (places_deg[i] - 2.0 * places_deg[i - 1] + places_deg[i - 2]) / (step_s * step_s);
+        square_sum += acceleration.squaredNorm();
+    }
+    outcome.rms_acceleration_deg_s2 =
+        std::sqrt(square_sum / static_cast<double>(places_deg.size() - 2));
     outcome.oldest_aim_s = driver.oldest_aim_s();
     return outcome;
 }
@@ -137,6 +154,20 @@ TEST(Following, ATargetOnACircleIsKeptInTheMiddle) {
         EXPECT_GT(with.oldest_aim_s, 0.0) << radius_mm;
         EXPECT_TRUE(with.within_limits) << radius_mm;
         EXPECT_GT(without.at_95_deg, 1.3 * with.at_95_deg) << radius_mm;
+    }
+}
+
+// Each aim at full speed makes the head start and stop thirty times a second.
+TEST(Following, TheHeadTurnsSmoothly) {
+    for (const double radius_mm : {150.0, 250.0, 350.0, 500.0}) {
+        const Outcome with = follow_circle(radius_mm, true, 30.0);
+        const Outcome without = follow_circle(radius_mm, true, 30.0, false);
+        std::printf(
+            "radius %.2f m: acceleration %.0f degrees/s^2 (RMS), 95 %% within %.2f degrees, worst "
+            "%.2f; each aim at full speed: %.0f, %.2f, %.2f\n",
+            1e-3 * radius_mm, with.rms_acceleration_deg_s2, with.at_95_deg, with.worst_deg,
+            without.rms_acceleration_deg_s2, without.at_95_deg, without.worst_deg);
+        EXPECT_LT(with.rms_acceleration_deg_s2, 0.7 * without.rms_acceleration_deg_s2) << radius_mm;
     }
 }
 

@@ -190,9 +190,20 @@ TEST_F(ScriptedSession, StartsAnewWhereNothingIsAnswered) {
     EXPECT_EQ(session_->state(), Session::State::addressing);
     notes();
     say("88 30 02 FF");
-    say("88 01 00 01 FF");
     say("90 50 00 20 04 02 01 01 02 FF");
     EXPECT_EQ(notes(), "The head answers again.\n");
+}
+
+TEST_F(ScriptedSession, AHeadThatIsKnownIsAskedAtOnceAgainAndToldWhatIsWanted) {
+    make_ready();
+    session_->set_wish(Message{Op::home});
+    session_->close();
+    session_->open(now_ns_);
+    EXPECT_EQ(sent(), "81 09 00 02 FF | 81 01 06 04 FF");
+    say("90 60 02 FF");  // damaged on its way
+    EXPECT_EQ(sent(), "81 09 00 02 FF | 81 01 06 04 FF");
+    say("90 50 00 20 04 02 01 01 02 FF");
+    EXPECT_TRUE(session_->ready());
 }
 
 TEST_F(ScriptedSession, ANetworkChangeForgetsAll) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "core/camera/rig.h"
+
+namespace kambara {
+
+/// The pan-tilt camera as it stands when the head tells these angles: the camera at home, turned,
+/// or by the rig's head model where there is one. The rig must have a pan-tilt camera.
+Camera pan_tilt_camera_at(const Rig& rig, const HeadAngles& angles);
+
+/// Of a picture taken at another zoom: the pixel on which the same direction would lie at the zoom
+/// that the camera was calibrated at. `horizontal_view_rad`: from the left to the right edge, by
+/// the lens's own telling.
+Eigen::Vector2d pixel_at_calibrated_zoom(const Camera& camera, const Eigen::Vector2d& pixel,
+                                         double horizontal_view_rad);
+
+/// The angles that would bring onto the optical axis what is seen at `pixel` while the head tells
+/// `angles` (visual servoing, STR-5). A wrong mount of the head in the rig file does not matter to
+/// first order: it takes part in both directions. `range_mm` from the camera matters only where a
+/// head model has lever arms. Empty where no direction projects to that pixel.
+std::optional<HeadAngles> angles_to_centre(const Rig& rig, const HeadAngles& angles,
+                                           const Eigen::Vector2d& pixel, double range_mm);
+
+}  // namespace kambara
