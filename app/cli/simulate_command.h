@@ -11,6 +11,7 @@ namespace kambara::cli {
 struct SimulateOptions {
     std::string profile = "default";
     double seconds = 10.0;
+    std::string position_method = "reprojection";  ///< by which the head follows
     std::filesystem::path out;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/matching/cubic_spline.h"
 #include "core/matching/score_map.h"
 
 namespace kambara {
@@ -49,10 +50,37 @@ double cubic_sample(const Image& grey, double x, double y) {
     return sum;
 }
 
-std::uint8_t level_at(const Image& grey, const Eigen::Vector2d& place) {
-    const double value = cubic_sample(grey, place.x(), place.y());
+std::uint8_t level_of(double value) {
     return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0));
 }
+
+std::uint8_t level_at(const Image& grey, const Eigen::Vector2d& place) {
+    return level_of(cubic_sample(grey, place.x(), place.y()));
+}
+
+// A picture's spline about all places of a map, drawn from the border inwards.
+class ExactSource {
+  public:
+    ExactSource(const Image& grey, const Eigen::Vector2d& low, const Eigen::Vector2d& high)
+        : last_(grey.width() - 1.0, grey.height() - 1.0), spline_(grey, piece(grey, low, high)) {}
+
+    std::uint8_t level_at(const Eigen::Vector2d& place) const {
+        const Eigen::Vector2d inside = place.cwiseMax(0.0).cwiseMin(last_);
+        return level_of(spline_.value(inside.x(), inside.y()));
+    }
+
+  private:
+    Rectangle piece(const Image& grey, const Eigen::Vector2d& low,
+                    const Eigen::Vector2d& high) const {
+        const Eigen::Vector2i from = low.cwiseMax(0.0).cwiseMin(last_).cast<int>();
+        const Eigen::Vector2i to = high.cwiseMax(0.0).cwiseMin(last_).cast<int>();
+        return spline_piece({from.x(), from.y(), to.x() - from.x() + 2, to.y() - from.y() + 2},
+                            grey);
+    }
+
+    Eigen::Vector2d last_;
+    CubicSpline spline_;
+};
 
 // Where the pixels of a region lie in another picture: exact at every fourth, linear between, which
 // the maps of lenses are to a hundredth of a pixel at worst.
@@ -75,6 +103,22 @@ class SmoothMap {
             }
         }
         return map;
+    }
+
+    /// All places are between these, an overhang of the last cells included.
+    Eigen::Vector2d low() const {
+        Eigen::Vector2d result = nodes_.front();
+        for (const Eigen::Vector2d& node : nodes_) {
+            result = result.cwiseMin(node);
+        }
+        return result;
+    }
+    Eigen::Vector2d high() const {
+        Eigen::Vector2d result = nodes_.front();
+        for (const Eigen::Vector2d& node : nodes_) {
+            result = result.cwiseMax(node);
+        }
+        return result;
     }
 
     /// Of the region's pixel (x, y), counted from its first.
@@ -218,7 +262,8 @@ Eigen::Vector2d ReferencePatch::slope_now() const {
 
 std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Camera& left,
                                           const Camera& camera,
-                                          const Eigen::Vector3d& point_in_rig_mm, int margin) {
+                                          const Eigen::Vector3d& point_in_rig_mm, int margin,
+                                          Drawing drawing) {
     const auto centre = camera.project(point_in_rig_mm);
     if (!centre || !camera.sees(*centre)) {
         return std::nullopt;
@@ -250,6 +295,10 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
         return std::nullopt;
     }
     const Eigen::Vector2d piece_at = patch.piece_at_px.cast<double>();
+    std::optional<ExactSource> exact;
+    if (drawing == Drawing::exact) {
+        exact.emplace(*patch.left_grey, sources->low() - piece_at, sources->high() - piece_at);
+    }
     for (int y = 0; y < result.picture.height(); ++y) {
         std::uint8_t* out = result.picture.row(y);
         for (int x = 0; x < result.picture.width(); ++x) {
@@ -257,7 +306,8 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
             if (turned && result.mask.contains(x - margin, y - margin)) {
                 result.mask.at(x - margin, y - margin) = within(patch, source) ? 1 : 0;
             }
-            out[x] = level_at(*patch.left_grey, source - piece_at);
+            out[x] = exact ? exact->level_at(source - piece_at)
+                           : level_at(*patch.left_grey, source - piece_at);
         }
     }
     return result;
