@@ -11,8 +11,8 @@ namespace kambara::cli {
 struct SimulateOptions {
     std::string profile = "default";
     double seconds = 10.0;
-    std::string position_method = "reprojection";  ///< by which the head follows
     std::filesystem::path out;
+    std::string position_method = "reprojection";  ///< by which the head follows
 };
 
 /// Records the simulated rig: left/, right/ and pan_tilt/ with numbered PNG pictures (the head

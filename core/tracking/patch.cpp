@@ -18,6 +18,9 @@ constexpr double least_turn_rad = 0.03;   // a patch turned by less is drawn in 
 // Likewise where the cameras are turned against each other: usual rigs are by less.
 constexpr double least_view_turn_rad = 0.15;
 
+constexpr int coarse_cell_px = 4;
+constexpr int fine_cell_px = 2;
+
 // Keys' cubic convolution with a = -1/2: exact for quadratics.
 void cubic_weights(double t, double* w) {
     const double t2 = t * t;
@@ -82,13 +85,14 @@ class ExactSource {
     CubicSpline spline_;
 };
 
-// Where the pixels of a region lie in another picture: exact at every fourth, linear between, which
-// the maps of lenses are to a hundredth of a pixel at worst.
+// Where the pixels of a region lie in another picture: exact at every `cell_px`th, linear between,
+// which the maps of lenses are over four pixels to a hundredth of a pixel at worst.
 class SmoothMap {
   public:
     template <class Exact>
-    static std::optional<SmoothMap> made(const Rectangle& region, const Exact& exact) {
+    static std::optional<SmoothMap> made(const Rectangle& region, int cell_px, const Exact& exact) {
         SmoothMap map;
+        map.cell_px_ = cell_px;
         map.columns_ = (region.width + cell_px - 2) / cell_px + 1;
         const int rows = (region.height + cell_px - 2) / cell_px + 1;
         map.nodes_.reserve(static_cast<std::size_t>(map.columns_ * rows));
@@ -123,11 +127,11 @@ class SmoothMap {
 
     /// Of the region's pixel (x, y), counted from its first.
     Eigen::Vector2d at(int x, int y) const {
-        const int i = std::min(x / cell_px, std::max(0, columns_ - 2));
+        const int i = std::min(x / cell_px_, std::max(0, columns_ - 2));
         const int rows = static_cast<int>(nodes_.size()) / columns_;
-        const int j = std::min(y / cell_px, std::max(0, rows - 2));
-        const double tx = static_cast<double>(x - i * cell_px) / cell_px;
-        const double ty = static_cast<double>(y - j * cell_px) / cell_px;
+        const int j = std::min(y / cell_px_, std::max(0, rows - 2));
+        const double tx = static_cast<double>(x - i * cell_px_) / cell_px_;
+        const double ty = static_cast<double>(y - j * cell_px_) / cell_px_;
         const auto node = [&](int di, int dj) -> const Eigen::Vector2d& {
             const int column = std::min(i + di, columns_ - 1);
             return nodes_[static_cast<std::size_t>(std::min(j + dj, rows - 1) * columns_ + column)];
@@ -137,8 +141,7 @@ class SmoothMap {
     }
 
   private:
-    static constexpr int cell_px = 4;
-
+    int cell_px_ = 1;
     int columns_ = 0;
     std::vector<Eigen::Vector2d> nodes_;
 };
@@ -288,7 +291,8 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
     }
     const Rectangle region{first.x(), first.y(), result.picture.width(), result.picture.height()};
     const Plane plane_now{point_in_rig_mm, patch.slope_now()};
-    const auto sources = SmoothMap::made(region, [&](const Eigen::Vector2d& pixel) {
+    const int cell_px = drawing == Drawing::exact ? fine_cell_px : coarse_cell_px;
+    const auto sources = SmoothMap::made(region, cell_px, [&](const Eigen::Vector2d& pixel) {
         return carried(camera, pixel, plane_now, back, left, patch.point_in_rig_mm);
     });
     if (!sources) {
@@ -317,7 +321,7 @@ std::optional<Image> drawn_back(const ReferencePatch& patch, const Camera& left,
                                 const Eigen::Vector3d& point_in_rig_mm, const Rectangle& piece) {
     const Eigen::Matrix2d onwards = matrix_of(patch.change);
     const Plane plane{patch.point_in_rig_mm, patch.slope};
-    const auto places = SmoothMap::made(piece, [&](const Eigen::Vector2d& pixel) {
+    const auto places = SmoothMap::made(piece, fine_cell_px, [&](const Eigen::Vector2d& pixel) {
         return carried(left, pixel, plane, onwards, left, point_in_rig_mm);
     });
     if (!places) {

@@ -47,8 +47,8 @@ struct PatchMatch {
 struct PatchSearchOptions {
     MatchMethod method;
     /// Standard deviation added to every match for what drawing the patch and the fit leave without
-    /// any noise: 0.001 to 0.004 px over distances and places of the field.
-    double floor_px = 0.0025;
+    /// any noise beyond the rounding of grey levels.
+    double floor_px = 0.001;
     bool measure_change = true;  ///< in window searches: how the target has turned and grown
     /// What other searches of the same pictures have transformed; may be null.
     TransformCache* transforms = nullptr;

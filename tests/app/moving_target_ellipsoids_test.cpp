@@ -47,10 +47,13 @@ TEST(MovingTarget, IsWithinItsEllipsoidOf95PercentAtAlmostAllPlaces) {
     std::mutex mutex;
     std::condition_variable changed;
     std::vector<std::optional<Position>> seen;
+    std::vector<double> turns;
     bool over = false;
     const auto observation = (*opened)->observe([&](const SnapshotPtr& snapshot) {
         const std::lock_guard lock(mutex);
         seen.resize(std::max(seen.size(), static_cast<std::size_t>(snapshot->frame + 1)));
+        turns.resize(seen.size());
+        turns[static_cast<std::size_t>(snapshot->frame)] = steered_estimate(*snapshot).turn_rad;
         const TrackEstimate estimate = steered_estimate(*snapshot);
         if (estimate.position && estimate.state == TrackState::tracking) {
             seen[static_cast<std::size_t>(snapshot->frame)] = estimate.position;
@@ -75,6 +78,7 @@ TEST(MovingTarget, IsWithinItsEllipsoidOf95PercentAtAlmostAllPlaces) {
         const Eigen::Vector3d error = seen[frame]->point_in_left_mm - truth;
         const double chi2 = error.dot(seen[frame]->covariance_mm2.ldlt().solve(error));
         const Eigen::Vector3d sigma = seen[frame]->covariance_mm2.diagonal().cwiseSqrt();
+        std::printf("turn %.1f ", turns[frame] * 57.3);
         std::printf("place %2s: error (%+.2f %+.2f %+.2f) mm, sigma (%.2f %.2f %.2f), chi2 %.1f\n",
                     row[1].c_str(), error.x(), error.y(), error.z(), sigma.x(), sigma.y(),
                     sigma.z(), chi2);

@@ -146,7 +146,7 @@ TEST(MatchUncertaintySlow, EllipsoidsOf95PercentHoldTheTruthThatOften) {
                           {"centre 5 m", {330, 240}, 5000.0},  {"edge 5 m", {590, 60}, 5000.0}};
     for (const Case& c : cases) {
         Coverage coverage;
-        add_matches(rig, c.left_px, c.depth_mm, 40, 10, 7, coverage);
+        add_matches(rig, c.left_px, c.depth_mm, 250, 4, 7, coverage);
         const double n = std::max(1, coverage.trials - coverage.missed);
         std::printf("%-11s inside %.1f %% of %d (%d not found); mean chi2 %.2f of 3, left %.2f of "
                     "2, range %.2f, epipolar %.2f; left rms %.4f %.4f sigma %.4f %.4f px\n",
