@@ -88,6 +88,18 @@
         <translation>Die Quelle ist zu Ende.</translation>
     </message>
     <message>
+        <source>A camera may have moved: the right picture shows things %1 px below where the calibration expects them (median of %2 matches; %3 px would be usual), as if the right camera had tilted up by %4 degrees against the left one. Check the cameras&apos; mounts, then calibrate again.</source>
+        <translation>Eine Kamera hat sich vielleicht verschoben: Das rechte Bild zeigt alles %1 px unter der Stelle, die die Kalibrierung erwartet (Median aus %2 Treffern; üblich wären %3 px), als wäre die rechte Kamera gegen die linke um %4 Grad nach oben gekippt. Die Halterungen der Kameras prüfen, dann neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>A camera may have moved: the right picture shows things %1 px above where the calibration expects them (median of %2 matches; %3 px would be usual), as if the right camera had tilted down by %4 degrees against the left one. Check the cameras&apos; mounts, then calibrate again.</source>
+        <translation>Eine Kamera hat sich vielleicht verschoben: Das rechte Bild zeigt alles %1 px über der Stelle, die die Kalibrierung erwartet (Median aus %2 Treffern; üblich wären %3 px), als wäre die rechte Kamera gegen die linke um %4 Grad nach unten gekippt. Die Halterungen der Kameras prüfen, dann neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>The cameras see each other&apos;s points where the calibration expects them again (%1 px beside, median of %2 matches).</source>
+        <translation>Die Kameras sehen einander entsprechende Punkte wieder dort, wo die Kalibrierung sie erwartet (%1 px daneben, Median aus %2 Treffern).</translation>
+    </message>
+    <message>
         <source>The template was updated by command.</source>
         <translation>Die Vorlage wurde auf Befehl erneuert.</translation>
     </message>
@@ -2140,6 +2152,18 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>How far the two matches are from a common point.</source>
         <translation>Wie weit die beiden Treffer von einem gemeinsamen Punkt entfernt sind.</translation>
+    </message>
+    <message>
+        <source>By calibration</source>
+        <translation>Durch Kalibrierung</translation>
+    </message>
+    <message>
+        <source>One standard deviation of x, y, z that the calibration leaves: it does not average out. Known where the rig file tells its covariance.</source>
+        <translation>Eine Standardabweichung von x, y, z, die die Kalibrierung übrig lässt: Sie mittelt sich nicht heraus. Bekannt, wo die Kalibrierdatei ihre Kovarianz nennt.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
     </message>
     <message>
         <source>Template updates</source>

@@ -45,6 +45,10 @@ std::string row(const Shown& shown) {
         const Eigen::Vector3d s = estimate.position->covariance_mm2.diagonal().cwiseSqrt();
         text += format("%8.1f %8.1f %8.1f (%4.1f %4.1f %5.1f)", p.x(), p.y(), p.z(), s.x(), s.y(),
                        s.z());
+        if (const auto& c = estimate.position->calibration_covariance_mm2) {
+            text += format(" calibration (%4.1f %4.1f %5.1f)", std::sqrt((*c)(0, 0)),
+                           std::sqrt((*c)(1, 1)), std::sqrt((*c)(2, 2)));
+        }
     } else {
         text += format("%-46s", ("no position: " + estimate.reason).substr(0, 46).c_str());
     }

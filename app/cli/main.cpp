@@ -50,6 +50,15 @@ void add_json(CLI::App& command, Chosen& chosen) {
                        "Write the result as JSON to this file; - for standard output");
 }
 
+void add_position_method(CLI::App& command, std::string& method) {
+    command
+        .add_option("--position-method", method,
+                    "reprojection (least error in both pictures), or for comparison 1999's sine "
+                    "(rule), midpoint, parallel (parallel cameras only)")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"reprojection", "sine", "midpoint", "parallel"}));
+}
+
 void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     CLI::App* c = app.add_subcommand("track", "Follow targets through stereo pictures");
     c->add_option("--rig", o.sources.rig,
@@ -90,6 +99,7 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
     c->add_option("--seconds", o.seconds, "Stop after so much of the source's time")
         ->check(above_zero());
     c->add_option("--record", o.record, "Folder to record the session in; not in this version yet");
+    add_position_method(*c, o.position_method);
     c->add_option("--frame", o.frame,
                   "Frame of the table's positions: left (camera), rig, level or vehicle; the last "
                   "two need a rig file with a mount")
@@ -230,6 +240,7 @@ void add_triangulate(CLI::App& app, Chosen& chosen, TriangulateOptions& o) {
     CLI::App* c = app.add_subcommand("triangulate", "Positions from pairs of pixels");
     c->add_option("--rig", o.rig, "Rig file")->required();
     c->add_option("--points", o.points, "Text file with lines: xl yl xr yr")->required();
+    add_position_method(*c, o.method);
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_triangulate(o); }; });
 }
@@ -243,6 +254,7 @@ void add_simulate(CLI::App& app, Chosen& chosen, SimulateOptions& o) {
     c->add_option("--seconds", o.seconds, "How long")->capture_default_str()->check(above_zero());
     c->add_option("--out", o.out, "Folder to make")->required();
     c->add_flag("--servo", o.servo, "Make the aim right by the pan-tilt camera's own picture");
+    add_position_method(*c, o.position_method);
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&o] { return run_simulate(o); }; });
 }

@@ -124,7 +124,12 @@ Result<nlohmann::json> simulate(const SimulateOptions& options) {
     if (!folder) {
         return folder.error();
     }
+    const auto method = position_method_from(options.position_method);
+    if (!method) {
+        return method.error();
+    }
     VisionSystemOptions system_options;
+    system_options.tracker.position.method = *method;
     system_options.every_frame = true;
     system_options.start_paused = true;
     auto opened = open_vision_system(std::move(sources->parts), system_options, clock);

@@ -13,6 +13,7 @@ struct SimulateOptions {
     double seconds = 10.0;
     bool servo = false;  ///< the head's aim is made right by its camera's own picture (ServoHead)
     std::filesystem::path out;
+    std::string position_method = "reprojection";  ///< by which the head follows
 };
 
 /// Records the simulated rig: left/, right/ and pan_tilt/ with numbered PNG pictures (the head

@@ -2,6 +2,7 @@
 #include "app/cli/track_command.h"
 
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "app/cli/terminal.h"
 #include "app/cli/track_table.h"
 #include "app/cli/truth_comparison.h"
+#include "core/base/angles.h"
 #include "core/base/text_file.h"
 #include "core/camera/position_frame.h"
 #include "core/image/rectangle.h"
@@ -81,6 +83,17 @@ class TrackLog {
                                            {"tracked_fraction", share(tracked_of_[i])}});
             }
         }
+        if (watch_) {
+            json["rig_watch"] = {{"matches", watch_->matches},
+                                 {"offset_px", watch_->offset_px},
+                                 {"sigma_px", watch_->sigma_px},
+                                 {"turn_deg", deg_from_rad(watch_->turn_rad)},
+                                 {"moved", watch_->moved},
+                                 {"text", watch_->moved ? rig_moved_text(*watch_) : ""}};
+            if (moved_frame_) {
+                json["rig_watch"]["moved_frame"] = *moved_frame_;
+            }
+        }
         if (truth_) {
             const TruthSummary truth = truth_->summary();
             json["truth"] = {{"tracked_fraction", truth.tracked_fraction},
@@ -113,10 +126,27 @@ class TrackLog {
             tracked_ += tracked && track.id == steered_ ? 1 : 0;
         }
         processing_ms_ += snapshot.processing_ms;
+        note_rig_watch(snapshot);
         rows_ += several() ? targets_table_rows(snapshot, T_frame_from_left_)
                            : track_table_row(snapshot, T_frame_from_left_);
         if (truth_) {
             truth_->add(snapshot);
+        }
+    }
+
+    // The most suspect state of the run, by its deviations.
+    void note_rig_watch(const Snapshot& snapshot) {
+        if (!snapshot.rig_watch) {
+            return;
+        }
+        const auto deviations = [](const RigWatchState& state) {
+            return (state.moved ? 1e6 : 0.0) + std::abs(state.offset_px) / state.sigma_px;
+        };
+        if (snapshot.rig_watch->moved && !moved_frame_) {
+            moved_frame_ = snapshot.frame;
+        }
+        if (!watch_ || deviations(*snapshot.rig_watch) > deviations(*watch_)) {
+            watch_ = snapshot.rig_watch;
         }
     }
 
@@ -139,6 +169,8 @@ class TrackLog {
     std::int64_t first_row_ = -1;
     std::int64_t last_row_ = -1;
     double processing_ms_ = 0.0;
+    std::optional<RigWatchState> watch_;
+    std::optional<std::int64_t> moved_frame_;
     Last last_;
     bool over_ = false;
 };
@@ -230,8 +262,13 @@ Result<nlohmann::json> track(const TrackOptions& options) {
     if (!rectangles) {
         return rectangles.error();
     }
+    const auto position_method = position_method_from(options.position_method);
+    if (!position_method) {
+        return position_method.error();
+    }
     VisionSystemOptions system_options;
     system_options.tracker.search.method = *method;
+    system_options.tracker.position.method = *position_method;
     system_options.temporal = temporal;
     system_options.every_frame = sources->every_frame;
     system_options.in_real_time = sources->real_head;
@@ -284,7 +321,9 @@ Result<nlohmann::json> track(const TrackOptions& options) {
         }
         return *failure;
     }
-    return log.report();
+    nlohmann::json report = log.report();
+    report["position_method"] = options.position_method;
+    return report;
 }
 
 std::string summary_of(const nlohmann::json& report, const TrackOptions& options) {
@@ -308,6 +347,20 @@ std::string summary_of(const nlohmann::json& report, const TrackOptions& options
                       target["target"].get<int>(),
                       100.0 * target["tracked_fraction"].get<double>());
         text += line;
+    }
+    if (report.contains("rig_watch")) {
+        const auto& watch = report["rig_watch"];
+        if (watch["moved"].get<bool>()) {
+            text += "From frame " + std::to_string(watch["moved_frame"].get<long long>()) +
+                    " on: " + watch["text"].get<std::string>() + "\n";
+        } else {
+            std::snprintf(line, sizeof line,
+                          "The cameras stand as calibrated: at most %.2f px beside the epipolar "
+                          "curve (%.2f px would be usual).\n",
+                          std::abs(watch["offset_px"].get<double>()),
+                          watch["sigma_px"].get<double>());
+            text += line;
+        }
     }
     if (options.csv) {
         text += "Table: " + options.csv->string() + "\n";

@@ -21,6 +21,7 @@ struct TrackOptions {
     std::string measure = "zncc";
     std::string transform = "none";
     std::string temporal;        ///< median:N or mean:N; empty: the pictures as they are
+    std::string position_method = "reprojection";  ///< or sine, midpoint, parallel
     std::string frame = "left";  ///< of the positions: left, rig, level or vehicle
     std::optional<std::filesystem::path> csv;
     std::optional<std::filesystem::path> record;
@@ -30,7 +31,8 @@ struct TrackOptions {
 /// Follows targets through stereo pictures. The table is written when the source has come to its
 /// end, whole or not at all. JSON: frames, tracked_frames, tracked_fraction, rate_hz, first and
 /// last frame, of the steered target; with several also what was tracked of each; with a simulated
-/// source also `truth`.
+/// source also `truth`; position_method; rig_watch, where enough was tracked to tell (the worst of
+/// the run: matches, offset_px, sigma_px, turn_deg, moved; moved_frame, when it was first raised).
 Outcome run_track(const TrackOptions& options);
 
 }  // namespace kambara::cli

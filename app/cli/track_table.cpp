@@ -36,7 +36,12 @@ std::string quoted(const std::string& text) {
 
 constexpr const char* columns =
     "frame,time_s,state,left_x_px,left_y_px,right_x_px,right_y_px,quality,x_mm,y_mm,z_mm,"
-    "sigma_x_mm,sigma_y_mm,sigma_z_mm,pan_deg,tilt_deg,reason";
+    "sigma_x_mm,sigma_y_mm,sigma_z_mm,pan_deg,tilt_deg,reason,calibration_sigma_x_mm,"
+    "calibration_sigma_y_mm,calibration_sigma_z_mm";
+
+Eigen::Vector3d sigmas(const Eigen::Matrix3d& covariance_mm2, const Eigen::Matrix3d& R) {
+    return (R * covariance_mm2 * R.transpose()).diagonal().cwiseMax(0.0).cwiseSqrt();
+}
 
 std::string row_of(const Snapshot& snapshot, const TrackEstimate& estimate,
                    const RigidTransform& T) {
@@ -46,9 +51,7 @@ std::string row_of(const Snapshot& snapshot, const TrackEstimate& estimate,
                       pair(estimate.right_px) + "," + number(estimate.quality, "%.4f") + ",";
     if (estimate.position) {
         const Eigen::Vector3d p = T * estimate.position->point_in_left_mm;
-        const Eigen::Matrix3d covariance_mm2 =
-            T.R * estimate.position->covariance_mm2 * T.R.transpose();
-        const Eigen::Vector3d sigma = covariance_mm2.diagonal().cwiseSqrt();
+        const Eigen::Vector3d sigma = sigmas(estimate.position->covariance_mm2, T.R);
         for (const double value : {p.x(), p.y(), p.z(), sigma.x(), sigma.y(), sigma.z()}) {
             row += number(value, "%.4f") + ",";
         }
@@ -61,7 +64,14 @@ std::string row_of(const Snapshot& snapshot, const TrackEstimate& estimate,
     } else {
         row += ",,";
     }
-    return row + quoted(estimate.reason);
+    row += quoted(estimate.reason);
+    if (!estimate.position || !estimate.position->calibration_covariance_mm2) {
+        return row + ",,,";
+    }
+    for (const double value : sigmas(*estimate.position->calibration_covariance_mm2, T.R)) {
+        row += "," + number(value, "%.4f");
+    }
+    return row;
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace kambara::cli {
 
 /// The rows that `track` writes, one a frame (resources/README.md: track table). Positions are of
 /// the point that was the template's centre, in the frame that the transform leads to: the left
-/// camera's where it is left out. What is not known is left empty.
+/// camera's where it is left out. The sigmas are what the pictures' noise makes of them, and apart
+/// from that what the calibration does. What is not known is left empty.
 std::string track_table_header();
 /// Of the steered target.
 std::string track_table_row(const Snapshot& snapshot, const RigidTransform& T_frame_from_left = {});

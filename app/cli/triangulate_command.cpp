@@ -55,9 +55,14 @@ Result<std::vector<PixelPair>> read_points(const std::filesystem::path& path) {
 nlohmann::json row_of(const Result<Position>& position) {
     const char* keys[] = {"x_mm",       "y_mm",       "z_mm",       "sigma_x_mm",
                           "sigma_y_mm", "sigma_z_mm", "residual_px"};
+    const char* of_calibration[] = {"calibration_sigma_x_mm", "calibration_sigma_y_mm",
+                                    "calibration_sigma_z_mm"};
     nlohmann::json row;
     if (!position) {
         for (const char* key : keys) {
+            row[key] = nullptr;
+        }
+        for (const char* key : of_calibration) {
             row[key] = nullptr;
         }
         row["reason"] = position.error().cause;
@@ -70,6 +75,10 @@ nlohmann::json row_of(const Result<Position>& position) {
     for (std::size_t i = 0; i < std::size(keys); ++i) {
         row[keys[i]] = values[i];
     }
+    for (int i = 0; i < 3; ++i) {
+        const auto& c = position->calibration_covariance_mm2;
+        row[of_calibration[i]] = c ? nlohmann::json(std::sqrt((*c)(i, i))) : nlohmann::json();
+    }
     row["reason"] = "";
     return row;
 }
@@ -78,12 +87,18 @@ std::string line_of(const nlohmann::json& row) {
     if (row["x_mm"].is_null()) {
         return "no position: " + row["reason"].get<std::string>() + "\n";
     }
+    const auto value = [&](const char* key) { return row[key].get<double>(); };
     char line[200];
-    std::snprintf(line, sizeof line, "%12.3f %12.3f %12.3f   %9.3f %9.3f %9.3f   %8.3f\n",
-                  row["x_mm"].get<double>(), row["y_mm"].get<double>(), row["z_mm"].get<double>(),
-                  row["sigma_x_mm"].get<double>(), row["sigma_y_mm"].get<double>(),
-                  row["sigma_z_mm"].get<double>(), row["residual_px"].get<double>());
-    return line;
+    std::snprintf(line, sizeof line, "%12.3f %12.3f %12.3f   %9.3f %9.3f %9.3f   %8.3f",
+                  value("x_mm"), value("y_mm"), value("z_mm"), value("sigma_x_mm"),
+                  value("sigma_y_mm"), value("sigma_z_mm"), value("residual_px"));
+    std::string text = line;
+    if (!row["calibration_sigma_x_mm"].is_null()) {
+        std::snprintf(line, sizeof line, "   %9.3f %9.3f %9.3f", value("calibration_sigma_x_mm"),
+                      value("calibration_sigma_y_mm"), value("calibration_sigma_z_mm"));
+        text += line;
+    }
+    return text + "\n";
 }
 
 }  // namespace
@@ -99,6 +114,13 @@ Outcome run_triangulate(const TriangulateOptions& options) {
     if (!rig->right) {
         return failed({"The rig file holds no right camera.", "Calibrate both cameras."});
     }
+    const auto method = position_method_from(options.method);
+    if (!method) {
+        return failed(method.error());
+    }
+    if (const auto suits = check_position_method(*rig, *method); !suits) {
+        return failed(suits.error());
+    }
     const auto pairs = read_points(options.points);
     if (!pairs) {
         return failed(pairs.error());
@@ -108,13 +130,20 @@ Outcome run_triangulate(const TriangulateOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
     Outcome outcome;
     outcome.summary =
-        "        x mm         y mm         z mm     1 sigma: x         y         z   residual px\n";
+        "        x mm         y mm         z mm     1 sigma: x         y         z   residual px";
+    outcome.summary += rig->parameter_covariance
+                           ? "   by the calibration: x     y         z\n"
+                           : "   (the rig file tells no uncertainty of the calibration)\n";
+    PositionOptions position_options;
+    position_options.method = *method;
     for (const PixelPair& pair : *pairs) {
-        rows.push_back(
-            row_of(position_from_pair(*rig, {pair.left, covariance}, {pair.right, covariance})));
+        rows.push_back(row_of(position_from_pair(*rig, PixelMeasurement{pair.left, covariance},
+                                                 PixelMeasurement{pair.right, covariance},
+                                                 position_options)));
         outcome.summary += line_of(rows.back());
     }
-    outcome.json = nlohmann::json{{"points", std::move(rows)}}.dump(2);
+    outcome.json =
+        nlohmann::json{{"method", options.method}, {"points", std::move(rows)}}.dump(2);
     return outcome;
 }
 

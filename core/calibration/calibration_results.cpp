@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/calibration/calibration_gates.h"
+#include "core/camera/rig_parameters.h"
 
 namespace kambara {
 namespace {
@@ -117,6 +118,33 @@ double rms_of(const std::vector<Residual>& residuals, int most_camera) {
     return std::sqrt(sum / std::max(1, n));
 }
 
+// From the adjustment's parameters to the rig's own (rig_parameters.h): the pose's angle-axis
+// vector to a turn put before the rotation.
+Eigen::MatrixXd parameter_covariance(const Bundle& bundle, const BundleCovariance& covariance,
+                                     const Rig& rig) {
+    const auto left = static_cast<Eigen::Index>(lens_parameter_names(rig.left.lens).size());
+    const auto right = static_cast<Eigen::Index>(lens_parameter_names(rig.right->lens).size());
+    const PoseBlock& pose = bundle.cameras[1].camera_from_first;
+    Eigen::MatrixXd by_block = Eigen::MatrixXd::Zero(left + right + 6, 2 * camera_parameters);
+    by_block.block(0, 0, left, left).setIdentity();
+    by_block.block(left, camera_parameters, right, right).setIdentity();
+    const Eigen::Index at = camera_parameters + 12;
+    constexpr double step_rad = 1e-6;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        PoseBlock low = pose;
+        PoseBlock high = pose;
+        low[static_cast<std::size_t>(i)] -= step_rad;
+        high[static_cast<std::size_t>(i)] += step_rad;
+        const PoseBlock turn = block_of(
+            RigidTransform{transform_of(high).R * transform_of(low).R.transpose(), {0, 0, 0}});
+        by_block.block<3, 1>(left + right, at + i) =
+            Eigen::Vector3d(turn[0], turn[1], turn[2]) / (2.0 * step_rad);
+    }
+    by_block.block<3, 3>(left + right + 3, at + 3).setIdentity();
+    return by_block * covariance.cameras.topLeftCorner(2 * camera_parameters, 2 * camera_parameters) *
+           by_block.transpose();
+}
+
 Rig rig_of(const CalibrationReport& report, const RigCalibratorOptions& options) {
     Rig rig;
     rig.left = report.cameras[0]->camera;
@@ -172,6 +200,7 @@ void fill_report(const Bundle& bundle, const BundleCovariance& covariance,
     }
     report.rig = rig_of(report, options);
     if (report.cameras[1]) {
+        report.rig.parameter_covariance = parameter_covariance(bundle, covariance, report.rig);
         RangeErrorOptions& range = report.range_options;
         range.nearest_mm = std::min(1000.0, report.farthest_mm);
         range.farthest_mm = 2.0 * range.nearest_mm;

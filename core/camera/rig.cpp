@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/camera/rig_parameters.h"
+
 namespace kambara {
 
 std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& point_in_rig_mm) const {
@@ -27,6 +29,27 @@ bool Camera::sees(const Eigen::Vector2d& pixel) const {
     return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= width_px - 1.0 &&
            pixel.y() <= height_px - 1.0;
 }
+
+namespace {
+
+// What is told in px grows with the pictures; all else stays.
+Eigen::MatrixXd scaled_covariance(const Rig& rig, int width_px, int height_px) {
+    const auto names = rig_parameter_names(rig);
+    Eigen::VectorXd factors = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(names.size()));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Camera& camera = names[i].starts_with("left.") ? rig.left : *rig.right;
+        if (names[i].ends_with("x_px")) {
+            factors[static_cast<Eigen::Index>(i)] =
+                static_cast<double>(width_px) / camera.width_px;
+        } else if (names[i].ends_with("y_px")) {
+            factors[static_cast<Eigen::Index>(i)] =
+                static_cast<double>(height_px) / camera.height_px;
+        }
+    }
+    return factors.asDiagonal() * *rig.parameter_covariance * factors.asDiagonal();
+}
+
+}  // namespace
 
 Rig rig_from_pair(const Camera& left, const Camera& right,
                   const RigidTransform& T_right_from_left) {
@@ -58,6 +81,9 @@ double baseline_mm(const Rig& rig) {
 
 Rig scaled_to(const Rig& rig, int width_px, int height_px) {
     Rig result = rig;
+    if (result.parameter_covariance) {
+        *result.parameter_covariance = scaled_covariance(rig, width_px, height_px);
+    }
     const auto resize = [&](Camera& camera) {
         camera.lens = scaled(camera.lens, static_cast<double>(width_px) / camera.width_px,
                              static_cast<double>(height_px) / camera.height_px);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,9 @@ struct Rig {
     std::optional<HeadModel> head;   ///< how the pan-tilt camera moves, where that is known
     std::optional<Mount> mount;      ///< on the vehicle, where that is known
     Provenance provenance;
+    /// What the calibration leaves open of the left and right camera, in the order and units of
+    /// rig_parameters.h; empty where that is not known.
+    std::optional<Eigen::MatrixXd> parameter_covariance;
 };
 
 /// The rig of two lenses and the pose between them, with the rig frame as defined above.

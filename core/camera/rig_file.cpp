@@ -4,11 +4,13 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/base/angles.h"
 #include "core/base/digits.h"
 #include "core/base/text_file.h"
+#include "core/camera/rig_covariance_yaml.h"
 
 namespace kambara {
 namespace {
@@ -229,6 +231,11 @@ Rig read_rig(const YAML::Node& root) {
     if (root["mount"]) {
         rig.mount = read_mount(root["mount"]);
     }
+    if (const auto section = root["calibration_covariance"]) {
+        if (auto fault = read_covariance(section, rig); !fault.empty()) {
+            throw Fault{"calibration_covariance", std::move(fault)};
+        }
+    }
     if (const auto from = root["provenance"]; from && from.IsMap()) {
         rig.provenance.method = text_or_empty(from, "method");
         rig.provenance.created = text_or_empty(from, "created");
@@ -393,6 +400,7 @@ std::string rig_to_text(const Rig& rig) {
     if (rig.mount) {
         write_mount(out, *rig.mount);
     }
+    write_covariance(out, rig);
     out << YAML::EndMap;
     return std::string(out.c_str()) + "\n";
 }

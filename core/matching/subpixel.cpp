@@ -2,6 +2,7 @@
 #include "core/matching/subpixel.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,7 +16,29 @@ namespace {
 constexpr int most_steps = 20;
 constexpr double settled_px = 1e-4;
 constexpr double farthest_px = 1.5;
+// Variance of the slope of a spline through white noise of variance 1, at its nodes: the mean of
+// (3 sin w / (2 + cos w))^2 over all frequencies, 9 (2 / sqrt(3) - 1).
+constexpr double gradient_of_noise = 1.392;
+constexpr double most_by_noise = 0.5;   // of the weaker direction's slopes
 constexpr double least_texture = 1e-3;  // of a flat direction's share in the normal matrix
+
+// The template's own noise is in its gradients, where it steepens the normal matrix by
+// gradient_of_noise times its variance a pixel without helping to tell the place. Half the
+// residual's variance is taken to be the template's.
+Eigen::Matrix2d covariance_of(const Eigen::Matrix4d& normal, double variance, double count) {
+    Eigen::Matrix4d without_noise = normal;
+    const Eigen::Matrix2d slopes = normal.topLeftCorner<2, 2>();
+    const double weakest = 0.5 * slopes.trace() -
+                           std::sqrt(std::max(0.0, 0.25 * slopes.trace() * slopes.trace() -
+                                                       slopes.determinant()));
+    const double by_noise =
+        std::min(gradient_of_noise * 0.5 * variance * count, most_by_noise * weakest);
+    without_noise(0, 0) -= by_noise;
+    without_noise(1, 1) -= by_noise;
+    const Eigen::Matrix4d inverse =
+        without_noise.ldlt().solve(Eigen::Matrix4d(Eigen::Matrix4d::Identity()));
+    return variance * (inverse * normal * inverse).topLeftCorner<2, 2>();
+}
 
 }  // namespace
 
@@ -90,8 +113,8 @@ std::optional<SubpixelMatch> refine_match(const Image& picture, const Image& pic
             const double variance =
                 rest / std::max(1.0, static_cast<double>(count) - 4.0) + 1.0 / 12.0;
             match.residual_grey = std::sqrt(rest / static_cast<double>(count));
-            const Matrix4 inverse = solver.solve(Matrix4::Identity());
-            match.covariance_px2 = variance / (gain * gain) * inverse.topLeftCorner<2, 2>();
+            match.covariance_px2 = covariance_of(normal, variance / (gain * gain),
+                                                 static_cast<double>(count));
             return match;
         }
     }

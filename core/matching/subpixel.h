@@ -22,7 +22,9 @@ struct SubpixelMatch {
 /// cubic spline, and the template with gain and offset free: Gauss-Newton steps with the
 /// template's own gradients (inverse compositional: Baker & Matthews 2004, section 3.2), which a
 /// parabola through the scores misses by up to a tenth of a pixel. The covariance follows from the
-/// residual and the gradients. `rectangle` is the template within `picture_of_template`; `start_px`
+/// residual, taken as white noise of picture and template, and the gradients freed of the
+/// template's noise; what is alike for neighbouring pixels (another shape, another light) is not in
+/// it. `rectangle` is the template within `picture_of_template`; `start_px`
 /// should be within a pixel or so. Empty where the template has no texture in some direction, where
 /// it would leave the picture, or where the steps lead farther than 1.5 pixels away. Grey pictures.
 std::optional<SubpixelMatch> refine_match(const Image& picture, const Image& picture_of_template,

@@ -3,60 +3,27 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <optional>
 
+#include "core/camera/rig_parameters.h"
+#include "core/stereo/epipolar_offset.h"
+#include "core/stereo/least_reprojection.h"
+#include "core/stereo/midpoint.h"
+#include "core/stereo/parallel_range.h"
 #include "core/stereo/ray_pair.h"
+#include "core/stereo/sine_rule.h"
 
 namespace kambara {
 namespace {
 
-constexpr int most_steps = 30;
-// A step is the last when it promises less than this of the sum of squares (in sigmas squared).
-constexpr double enough = 1e-9;
+constexpr double step_px = 1e-3;  // of derivatives by a pixel
 
-// A camera's measurement, weighted by the inverse of its covariance.
-struct Observed {
-    const Camera& camera;
-    const Eigen::Vector2d& pixel;
-    Eigen::Matrix2d weight;
-};
+using PointByPixels = Eigen::Matrix<double, 3, 4>;
 
-// The least-squares problem, linearised at a point of the rig's frame.
-struct Linearised {
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  // downhill, half of it
-    double cost = 0.0;
-    double residual_px = 0.0;
-
-    bool add(const Observed& seen, const Eigen::Vector3d& point_in_rig_mm) {
-        Eigen::Matrix<double, 2, 3> J;
-        const auto pixel = seen.camera.project(point_in_rig_mm, J);
-        if (!pixel) {
-            return false;
-        }
-        const Eigen::Vector2d rest = seen.pixel - *pixel;
-        const Eigen::Matrix<double, 3, 2> weighted = J.transpose() * seen.weight;
-        information += weighted * J;
-        gradient += weighted * rest;
-        cost += rest.dot(seen.weight * rest);
-        residual_px = std::max(residual_px, rest.norm());
-        return true;
-    }
-};
-
-std::optional<Linearised> linearised(const Observed& left, const Observed& right,
-                                     const Eigen::Vector3d& point_in_rig_mm) {
-    Linearised sum;
-    if (!sum.add(left, point_in_rig_mm) || !sum.add(right, point_in_rig_mm)) {
-        return std::nullopt;
-    }
-    return sum;
-}
-
-bool is_covariance(const Eigen::Matrix2d& m) {
-    return m.allFinite() && m(0, 0) > 0.0 && m.determinant() > 0.0;
+bool is_covariance(const Eigen::Matrix4d& m) {
+    return m.allFinite() && m.diagonal().minCoeff() > 0.0 &&
+           m.llt().info() == Eigen::Success;
 }
 
 Error unrelated(double residual_px, double most_px) {
@@ -68,61 +35,111 @@ Error unrelated(double residual_px, double most_px) {
     return {text, "Check that both pixels show the same point and that the rig has not moved."};
 }
 
+// By a method of 1999, in the left camera's frame: a function of the pixels alone.
+Result<Eigen::Vector3d> reference_point(const Rig& rig, const Eigen::Vector4d& pixels,
+                                        const PositionOptions& options) {
+    const Eigen::Vector2d left = pixels.head<2>();
+    const Eigen::Vector2d right = pixels.tail<2>();
+    if (options.method == PositionMethod::parallel) {
+        return parallel_from_pair(rig, left, right);
+    }
+    if (options.method == PositionMethod::midpoint) {
+        return midpoint_from_pair(rig, left, right, options);
+    }
+    const auto both = sine_rule_from_pair(rig, left, right, options);
+    return both ? Result<Eigen::Vector3d>(both->mean_mm()) : both.error();
+}
+
+Result<PointByPixels> reference_by_pixels(const Rig& rig, const Eigen::Vector4d& pixels,
+                                          const PositionOptions& options) {
+    PointByPixels result;
+    for (int i = 0; i < 4; ++i) {
+        const Eigen::Vector4d step = step_px * Eigen::Vector4d::Unit(i);
+        const auto low = reference_point(rig, pixels - step, options);
+        const auto high = reference_point(rig, pixels + step, options);
+        if (!low || !high) {
+            return !low ? low.error() : high.error();
+        }
+        result.col(i) = (*high - *low) / (2.0 * step_px);
+    }
+    return result;
+}
+
 }  // namespace
 
-Result<Position> position_from_pair(const Rig& rig, const PixelMeasurement& left,
-                                    const PixelMeasurement& right, const PositionOptions& options) {
-    const auto rays = ray_pair(rig, left.pixel, right.pixel, options.min_parallax_rad);
+Result<Position> position_from_pair(const Rig& rig, const PairMeasurement& pair,
+                                    const PositionOptions& options) {
+    const auto rays = ray_pair(rig, pair.left_px, pair.right_px, options.min_parallax_rad);
     if (!rays) {
         return rays.error();
     }
-    if (!is_covariance(left.covariance_px2) || !is_covariance(right.covariance_px2)) {
+    if (!is_covariance(pair.covariance_px2)) {
         return Error{"A pixel's covariance is not positive definite.",
                      "Give each pixel an uncertainty above zero."};
     }
-    const Observed in_left{rig.left, left.pixel, left.covariance_px2.inverse()};
-    const Observed in_right{*rig.right, right.pixel, right.covariance_px2.inverse()};
-
-    Eigen::Vector3d point = rays->meeting.midpoint_mm;
-    auto now = linearised(in_left, in_right, point);
-    if (!now) {
+    const RigidTransform& T_left_from_rig = rig.left.T_camera_from_rig;
+    Eigen::Vector3d in_rig_mm;
+    PointByPixels by_pixels;
+    if (options.method == PositionMethod::reprojection) {
+        const auto point = least_reprojection(rig, pair, rays->meeting.midpoint_mm);
+        if (!point) {
+            return point.error();
+        }
+        in_rig_mm = *point;
+    } else {
+        Eigen::Vector4d pixels;
+        pixels << pair.left_px, pair.right_px;
+        const auto point = reference_point(rig, pixels, options);
+        if (!point) {
+            return point.error();
+        }
+        const auto derivative = reference_by_pixels(rig, pixels, options);
+        if (!derivative) {
+            return derivative.error();
+        }
+        in_rig_mm = T_left_from_rig.inverse() * *point;
+        by_pixels = *derivative;
+    }
+    const auto residual = pair_residual(rig, pair, in_rig_mm);
+    if (!residual) {
         return Error{"The point would lie outside a camera's field.",
                      "Check the two pixels and the rig file."};
     }
-    double damping = 0.0;
-    for (int step = 0; step < most_steps; ++step) {
-        Eigen::Matrix3d damped = now->information;
-        damped.diagonal() *= 1.0 + damping;
-        const Eigen::Vector3d move = damped.llt().solve(now->gradient);
-        if (!move.allFinite()) {
-            return Error{"The two pixels do not determine a point.",
-                         "Check the two pixels and the rig file."};
-        }
-        const double promised = move.dot(now->gradient);
-        const auto next = linearised(in_left, in_right, point + move);
-        // Rounding may raise a cost that is already as good as zero.
-        if (next && next->cost <= now->cost + enough) {
-            point += move;
-            now = next;
-            damping *= 0.1;
-        } else {
-            damping = std::max(10.0 * damping, 1e-3);
-        }
-        if (promised < enough && damping < 1.0) {
-            break;
-        }
+    if (residual->largest_px() > options.max_residual_px) {
+        return unrelated(residual->largest_px(), options.max_residual_px);
     }
-    if (now->residual_px > options.max_residual_px) {
-        return unrelated(now->residual_px, options.max_residual_px);
+    if (options.method == PositionMethod::reprojection) {
+        const Eigen::Matrix4d weight = pair.covariance_px2.inverse();
+        const Eigen::Matrix<double, 3, 4> weighted = residual->pixels_by_point.transpose() * weight;
+        by_pixels = T_left_from_rig.R * (weighted * residual->pixels_by_point).inverse() * weighted;
     }
-    const RigidTransform& T_left_from_rig = rig.left.T_camera_from_rig;
     Position result;
-    result.point_in_left_mm = T_left_from_rig * point;
-    result.covariance_mm2 =
-        T_left_from_rig.R * now->information.inverse() * T_left_from_rig.R.transpose();
-    result.residual_px = now->residual_px;
+    result.method = options.method;
+    result.point_in_left_mm = T_left_from_rig * in_rig_mm;
+    result.covariance_mm2 = by_pixels * pair.covariance_px2 * by_pixels.transpose();
+    result.residual_px = residual->largest_px();
     result.parallax_rad = rays->meeting.angle_rad;
+    // The point answers to a change of the rig as to pixels changed the other way.
+    const auto by_rig = rig.parameter_covariance
+                            ? pixels_by_parameters(rig, result.point_in_left_mm)
+                            : std::nullopt;
+    std::optional<Eigen::Matrix4d> of_calibration_px2;
+    if (by_rig) {
+        of_calibration_px2 = *by_rig * *rig.parameter_covariance * by_rig->transpose();
+        result.calibration_covariance_mm2 =
+            by_pixels * *of_calibration_px2 * by_pixels.transpose();
+    }
+    result.epipolar = epipolar_offset(rig, pair, result.point_in_left_mm.norm(),
+                                      of_calibration_px2);
     return result;
+}
+
+Result<Position> position_from_pair(const Rig& rig, const PixelMeasurement& left,
+                                    const PixelMeasurement& right, const PositionOptions& options) {
+    PairMeasurement pair{left.pixel, right.pixel, Eigen::Matrix4d::Zero()};
+    pair.covariance_px2.topLeftCorner<2, 2>() = left.covariance_px2;
+    pair.covariance_px2.bottomRightCorner<2, 2>() = right.covariance_px2;
+    return position_from_pair(rig, pair, options);
 }
 
 }  // namespace kambara

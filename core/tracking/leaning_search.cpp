@@ -29,6 +29,7 @@ void take(const PlaneFit& fit, const PatchSearchOptions& options, PatchMatch& ma
     match.pixel = fit.right_px;
     match.covariance_px2 =
         fit.covariance_px2 + options.floor_px * options.floor_px * Eigen::Matrix2d::Identity();
+    match.covariance_of_picture_px2 = 0.5 * fit.covariance_px2;  // both pictures' noise is alike
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/matching/cubic_spline.h"
 #include "core/matching/score_map.h"
 
 namespace kambara {
@@ -16,6 +17,9 @@ constexpr double least_forward = 0.02;    // of a ray's direction, to meet a pla
 constexpr double least_turn_rad = 0.03;   // a patch turned by less is drawn in full, unmasked
 // Likewise where the cameras are turned against each other: usual rigs are by less.
 constexpr double least_view_turn_rad = 0.15;
+
+constexpr int coarse_cell_px = 4;
+constexpr int fine_cell_px = 2;
 
 // Keys' cubic convolution with a = -1/2: exact for quadratics.
 void cubic_weights(double t, double* w) {
@@ -49,18 +53,46 @@ double cubic_sample(const Image& grey, double x, double y) {
     return sum;
 }
 
-std::uint8_t level_at(const Image& grey, const Eigen::Vector2d& place) {
-    const double value = cubic_sample(grey, place.x(), place.y());
+std::uint8_t level_of(double value) {
     return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0));
 }
 
-// Where the pixels of a region lie in another picture: exact at every fourth, linear between, which
-// the maps of lenses are to a hundredth of a pixel at worst.
+std::uint8_t level_at(const Image& grey, const Eigen::Vector2d& place) {
+    return level_of(cubic_sample(grey, place.x(), place.y()));
+}
+
+// A picture's spline about all places of a map, drawn from the border inwards.
+class ExactSource {
+  public:
+    ExactSource(const Image& grey, const Eigen::Vector2d& low, const Eigen::Vector2d& high)
+        : last_(grey.width() - 1.0, grey.height() - 1.0), spline_(grey, piece(grey, low, high)) {}
+
+    std::uint8_t level_at(const Eigen::Vector2d& place) const {
+        const Eigen::Vector2d inside = place.cwiseMax(0.0).cwiseMin(last_);
+        return level_of(spline_.value(inside.x(), inside.y()));
+    }
+
+  private:
+    Rectangle piece(const Image& grey, const Eigen::Vector2d& low,
+                    const Eigen::Vector2d& high) const {
+        const Eigen::Vector2i from = low.cwiseMax(0.0).cwiseMin(last_).cast<int>();
+        const Eigen::Vector2i to = high.cwiseMax(0.0).cwiseMin(last_).cast<int>();
+        return spline_piece({from.x(), from.y(), to.x() - from.x() + 2, to.y() - from.y() + 2},
+                            grey);
+    }
+
+    Eigen::Vector2d last_;
+    CubicSpline spline_;
+};
+
+// Where the pixels of a region lie in another picture: exact at every `cell_px`th, linear between,
+// which the maps of lenses are over four pixels to a hundredth of a pixel at worst.
 class SmoothMap {
   public:
     template <class Exact>
-    static std::optional<SmoothMap> made(const Rectangle& region, const Exact& exact) {
+    static std::optional<SmoothMap> made(const Rectangle& region, int cell_px, const Exact& exact) {
         SmoothMap map;
+        map.cell_px_ = cell_px;
         map.columns_ = (region.width + cell_px - 2) / cell_px + 1;
         const int rows = (region.height + cell_px - 2) / cell_px + 1;
         map.nodes_.reserve(static_cast<std::size_t>(map.columns_ * rows));
@@ -77,13 +109,29 @@ class SmoothMap {
         return map;
     }
 
+    /// All places are between these, an overhang of the last cells included.
+    Eigen::Vector2d low() const {
+        Eigen::Vector2d result = nodes_.front();
+        for (const Eigen::Vector2d& node : nodes_) {
+            result = result.cwiseMin(node);
+        }
+        return result;
+    }
+    Eigen::Vector2d high() const {
+        Eigen::Vector2d result = nodes_.front();
+        for (const Eigen::Vector2d& node : nodes_) {
+            result = result.cwiseMax(node);
+        }
+        return result;
+    }
+
     /// Of the region's pixel (x, y), counted from its first.
     Eigen::Vector2d at(int x, int y) const {
-        const int i = std::min(x / cell_px, std::max(0, columns_ - 2));
+        const int i = std::min(x / cell_px_, std::max(0, columns_ - 2));
         const int rows = static_cast<int>(nodes_.size()) / columns_;
-        const int j = std::min(y / cell_px, std::max(0, rows - 2));
-        const double tx = static_cast<double>(x - i * cell_px) / cell_px;
-        const double ty = static_cast<double>(y - j * cell_px) / cell_px;
+        const int j = std::min(y / cell_px_, std::max(0, rows - 2));
+        const double tx = static_cast<double>(x - i * cell_px_) / cell_px_;
+        const double ty = static_cast<double>(y - j * cell_px_) / cell_px_;
         const auto node = [&](int di, int dj) -> const Eigen::Vector2d& {
             const int column = std::min(i + di, columns_ - 1);
             return nodes_[static_cast<std::size_t>(std::min(j + dj, rows - 1) * columns_ + column)];
@@ -93,8 +141,7 @@ class SmoothMap {
     }
 
   private:
-    static constexpr int cell_px = 4;
-
+    int cell_px_ = 1;
     int columns_ = 0;
     std::vector<Eigen::Vector2d> nodes_;
 };
@@ -218,7 +265,8 @@ Eigen::Vector2d ReferencePatch::slope_now() const {
 
 std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Camera& left,
                                           const Camera& camera,
-                                          const Eigen::Vector3d& point_in_rig_mm, int margin) {
+                                          const Eigen::Vector3d& point_in_rig_mm, int margin,
+                                          Drawing drawing) {
     const auto centre = camera.project(point_in_rig_mm);
     if (!centre || !camera.sees(*centre)) {
         return std::nullopt;
@@ -243,13 +291,18 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
     }
     const Rectangle region{first.x(), first.y(), result.picture.width(), result.picture.height()};
     const Plane plane_now{point_in_rig_mm, patch.slope_now()};
-    const auto sources = SmoothMap::made(region, [&](const Eigen::Vector2d& pixel) {
+    const int cell_px = drawing == Drawing::exact ? fine_cell_px : coarse_cell_px;
+    const auto sources = SmoothMap::made(region, cell_px, [&](const Eigen::Vector2d& pixel) {
         return carried(camera, pixel, plane_now, back, left, patch.point_in_rig_mm);
     });
     if (!sources) {
         return std::nullopt;
     }
     const Eigen::Vector2d piece_at = patch.piece_at_px.cast<double>();
+    std::optional<ExactSource> exact;
+    if (drawing == Drawing::exact) {
+        exact.emplace(*patch.left_grey, sources->low() - piece_at, sources->high() - piece_at);
+    }
     for (int y = 0; y < result.picture.height(); ++y) {
         std::uint8_t* out = result.picture.row(y);
         for (int x = 0; x < result.picture.width(); ++x) {
@@ -257,7 +310,8 @@ std::optional<RenderedPatch> render_patch(const ReferencePatch& patch, const Cam
             if (turned && result.mask.contains(x - margin, y - margin)) {
                 result.mask.at(x - margin, y - margin) = within(patch, source) ? 1 : 0;
             }
-            out[x] = level_at(*patch.left_grey, source - piece_at);
+            out[x] = exact ? exact->level_at(source - piece_at)
+                           : level_at(*patch.left_grey, source - piece_at);
         }
     }
     return result;
@@ -267,7 +321,7 @@ std::optional<Image> drawn_back(const ReferencePatch& patch, const Camera& left,
                                 const Eigen::Vector3d& point_in_rig_mm, const Rectangle& piece) {
     const Eigen::Matrix2d onwards = matrix_of(patch.change);
     const Plane plane{patch.point_in_rig_mm, patch.slope};
-    const auto places = SmoothMap::made(piece, [&](const Eigen::Vector2d& pixel) {
+    const auto places = SmoothMap::made(piece, fine_cell_px, [&](const Eigen::Vector2d& pixel) {
         return carried(left, pixel, plane, onwards, left, point_in_rig_mm);
     });
     if (!places) {

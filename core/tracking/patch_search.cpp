@@ -51,8 +51,9 @@ Matcher& matcher_for(const MatchMethod& method) {
 
 std::optional<RenderedPatch> drawn_for(const MatchMethod& method, const ReferencePatch& patch,
                                        const Camera& left, const Camera& camera,
-                                       const Eigen::Vector3d& point_in_rig_mm) {
-    return render_patch(patch, left, camera, point_in_rig_mm, margin_px(method.transform));
+                                       const Eigen::Vector3d& point_in_rig_mm,
+                                       Drawing drawing = Drawing::fast) {
+    return render_patch(patch, left, camera, point_in_rig_mm, margin_px(method.transform), drawing);
 }
 
 // Scores the drawn patch over shifts of up to (across, down) pixels from where it was drawn.
@@ -118,7 +119,8 @@ std::optional<RenderedPatch> refine(PatchMatch& match, const ReferencePatch& pat
     std::optional<RenderedPatch> last;
     for (int i = 0; i < most_refinements; ++i) {
         const auto place = place_at_depth(camera, match.pixel, expected_in_rig_mm.z());
-        auto drawn = place ? drawn_for(options.method, patch, left, camera, *place) : std::nullopt;
+        auto drawn = place ? drawn_for(options.method, patch, left, camera, *place, Drawing::exact)
+                           : std::nullopt;
         const auto found = drawn ? match_drawn(*drawn, grey, 2, 2, options) : std::nullopt;
         if (!found || (found->match.pixel - start).norm() > farthest_refinement_px) {
             return last;
@@ -133,6 +135,7 @@ std::optional<RenderedPatch> refine(PatchMatch& match, const ReferencePatch& pat
             pixel = fitted->position_px + drawn->centre;
             match.covariance_px2 = fitted->covariance_px2 + options.floor_px * options.floor_px *
                                                                 Eigen::Matrix2d::Identity();
+            match.covariance_of_picture_px2 = 0.5 * fitted->covariance_px2;
         }
         const double moved = (pixel - match.pixel).norm();
         match.pixel = pixel;

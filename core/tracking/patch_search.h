@@ -23,6 +23,11 @@ struct MeasuredChange {
 struct PatchMatch {
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< of the reference point, sub-pixel
     Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
+    /// The part of it that the noise of the searched picture makes; the rest is the patch's.
+    Eigen::Matrix2d covariance_of_picture_px2 = Eigen::Matrix2d::Zero();
+    /// Found by a patch cut from the other picture of the same instant, at the match there: errs
+    /// with it.
+    bool by_other_match = false;
     double likeness = 0.0;        ///< in [0, 1], by the measure alone, as if without noise
     double likeness_kept = 1.0;   ///< by the noise, of what it would be (noise.h)
     double clearness = 1.0;       ///< the same for pictures that are not transformed
@@ -41,8 +46,9 @@ struct PatchMatch {
 
 struct PatchSearchOptions {
     MatchMethod method;
-    /// Standard deviation added to every match for what the patch's flatness leaves out.
-    double floor_px = 0.03;
+    /// Standard deviation added to every match for what drawing the patch and the fit leave without
+    /// any noise beyond the rounding of grey levels.
+    double floor_px = 0.001;
     bool measure_change = true;  ///< in window searches: how the target has turned and grown
     /// What other searches of the same pictures have transformed; may be null.
     TransformCache* transforms = nullptr;

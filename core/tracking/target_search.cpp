@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "core/tracking/match_pair.h"
+
 namespace kambara {
 namespace {
 
@@ -111,8 +113,7 @@ std::optional<std::string> leapt(const Rig& rig, const TrackerOptions& options,
 
 bool leaps(const Rig& rig, const TrackerOptions& options, const SearchScope& scope,
            const PatchMatch& left, const PatchMatch& right) {
-    const auto position = position_from_pair(rig, {left.pixel, left.covariance_px2},
-                                             {right.pixel, right.covariance_px2}, options.position);
+    const auto position = position_from_pair(rig, pair_of(rig, left, right), options.position);
     return !position || leapt(rig, options, scope, *position);
 }
 
@@ -148,12 +149,19 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
         patch.slope = look->slope_now();
     }
     const Image& grey = *frame.right.picture;
+    const auto by_left = [](std::optional<PatchMatch> match) {
+        if (match) {
+            match->by_other_match = true;
+        }
+        return match;
+    };
     std::optional<PatchMatch> best;
     if (scope.range_known) {
         const double range_mm =
             (scope.expected_in_rig_mm - rig.left.T_camera_from_rig.centre_mm()).norm();
         const RangeBounds near_by = bounds_about(rig, options, left.pixel, range_mm);
-        best = search_epipolar(patch, rig, grey, near_by, options.band_px, options.search);
+        best = by_left(
+            search_epipolar(patch, rig, grey, near_by, options.band_px, options.search));
         if (best && best->quality >= options.good_quality) {
             return best;
         }
@@ -169,13 +177,13 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
             }
         }
     }
-    auto anywhere =
-        search_epipolar(patch, rig, grey, options.range, options.band_px, options.search);
+    auto anywhere = by_left(
+        search_epipolar(patch, rig, grey, options.range, options.band_px, options.search));
     // How it leans is found once, while all else is new as well.
     if (scope.try_slopes && !scope.range_known) {
         if (!(anywhere && is_clear(options, *anywhere))) {
-            auto leaning =
-                search_leaning(patch, rig, grey, options.range, options.band_px, options.search);
+            auto leaning = by_left(
+                search_leaning(patch, rig, grey, options.range, options.band_px, options.search));
             if (leaning && (!anywhere || leaning->quality > anywhere->quality)) {
                 anywhere = std::move(leaning);
             }
@@ -235,8 +243,7 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
         return result;
     }
     const auto position =
-        position_from_pair(rig, {left.pixel, left.covariance_px2},
-                           {result.right->pixel, result.right->covariance_px2}, options.position);
+        position_from_pair(rig, pair_of(rig, left, *result.right), options.position);
     if (!position) {
         result.fault = "no position: " + position.error().cause;
         return result;

@@ -38,6 +38,7 @@ Pipeline::Pipeline(Rig rig, const std::shared_ptr<PanTiltCamera>& head,
       publish_(std::move(publish)),
       announce_(std::move(announce)),
       targets_(rig_, options.tracker, options.threads),
+      watch_(rig_),
       head_(head ? std::make_unique<HeadWorker>(head,
                                                 options.every_frame
                                                     ? HeadWorker::Threading::inline_calls
@@ -74,6 +75,7 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     }
     targets_.process(remembered_.back());
     look_through_head();
+    watch_rig();
     steer();
     const std::int64_t now_ns = clock_.now_ns();
     processing_ms_ = static_cast<double>(now_ns - started_ns) * 1e-6;
@@ -111,6 +113,24 @@ void Pipeline::note_changes(const TargetStates& before) {
     if (before.steered && after.steered && before.steered != after.steered) {
         announce(Event::Kind::note,
                  "The head is steered to target " + std::to_string(*after.steered) + " now.");
+    }
+}
+
+// Every target that is followed for sure tells whether the cameras still stand as calibrated.
+void Pipeline::watch_rig() {
+    const auto moved = [this] { return watch_.state() && watch_.state()->moved; };
+    const bool before = moved();
+    for (const FollowedTarget& target : targets_.all()) {
+        const TrackEstimate& estimate = target.tracker.estimate();
+        if (estimate.frame == images_.stereo.left.index &&
+            estimate.state == TrackState::tracking && estimate.position) {
+            watch_.add(images_.stereo.left.time_ns, estimate.position->epipolar);
+        }
+    }
+    if (moved() && !before) {
+        announce(Event::Kind::warning, rig_moved_text(*watch_.state()));
+    } else if (before && watch_.state() && !moved()) {
+        announce(Event::Kind::note, rig_restored_text(*watch_.state()));
     }
 }
 
@@ -159,6 +179,7 @@ void Pipeline::publish() {
     if (servo_.on()) {
         snapshot->servo = servo_.state(steers_alone_);
     }
+    snapshot->rig_watch = watch_.state();
     snapshot->rate_hz = rate_hz();
     snapshot->processing_ms = processing_ms_;
     snapshot->latency_ms = latency_ms_;
@@ -255,6 +276,7 @@ void Pipeline::wound() {
     const TargetStates before = targets_.states();
     targets_.wound();
     servo_.wound();
+    watch_.reset();
     remembered_.clear();
     for (auto* filter : {&left_filter_, &right_filter_}) {
         if (*filter) {
@@ -507,6 +529,7 @@ void Pipeline::use_rig(const Rig& rig) {
     rig_ = rig;
     targets_.use_rig(rig_);
     servo_.use_rig(rig_);
+    watch_ = RigWatch(rig_);
     announce(Event::Kind::note, "A new calibration is in use. Choose the template again.");
     publish();
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/clock.h"
+#include "core/stereo/rig_watch.h"
 #include "core/vsystem/head_worker.h"
 #include "core/vsystem/pan_tilt_servo.h"
 #include "core/vsystem/target_set.h"
@@ -75,6 +76,7 @@ class Pipeline {
     void publish();
     void announce(Event::Kind kind, std::string text);
     void announce_head();
+    void watch_rig();
     void note_changes(const TargetStates& before);
     Result<Reply> finish(const Result<Done>& done, const TargetStates& before);
     double rate_hz() const;
@@ -85,6 +87,7 @@ class Pipeline {
     Publish publish_;
     Announce announce_;
     TargetSet targets_;
+    RigWatch watch_;
     std::unique_ptr<HeadWorker> head_;
     std::shared_ptr<VehicleFeed> vehicle_;
     Steering steering_;

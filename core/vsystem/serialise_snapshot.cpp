@@ -25,33 +25,60 @@ Enum read_name(const Json& json, const char* key, const char* const (&names)[N])
     throw Fault{std::string("\"") + key + "\" is \"" + name + "\", which is not known"};
 }
 
-Json json_of(const Position& p) {
-    const Eigen::Matrix3d& c = p.covariance_mm2;
+// The upper triangle, row by row, of a covariance, and back.
+Eigen::Matrix<double, 6, 1> upper_of(const Eigen::Matrix3d& c) {
     Eigen::Matrix<double, 6, 1> upper;
     upper << c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2);
-    return {{"point_in_left_mm", from_vector<3>(p.point_in_left_mm)},
-            {"covariance_mm2", from_vector<6>(upper)},
-            {"residual_px", p.residual_px},
-            {"parallax_rad", p.parallax_rad}};
+    return upper;
+}
+
+Eigen::Matrix3d from_upper(const Eigen::Matrix<double, 6, 1>& c) {
+    Eigen::Matrix3d m;
+    m << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+    return m;
+}
+
+Json json_of(const Position& p) {
+    Json json{{"point_in_left_mm", from_vector<3>(p.point_in_left_mm)},
+              {"covariance_mm2", from_vector<6>(upper_of(p.covariance_mm2))},
+              {"method", to_string(p.method)},
+              {"residual_px", p.residual_px},
+              {"parallax_rad", p.parallax_rad},
+              {"epipolar_offset_px", p.epipolar.offset_px},
+              {"epipolar_noise_sigma_px", p.epipolar.noise_sigma_px}};
+    if (p.calibration_covariance_mm2) {
+        json["calibration_covariance_mm2"] =
+            from_vector<6>(upper_of(*p.calibration_covariance_mm2));
+    }
+    put_optional(json, "epipolar_calibration_sigma_px", p.epipolar.calibration_sigma_px);
+    return json;
 }
 
 Position read_position(const Json& json) {
     Position p;
     p.point_in_left_mm = get_vector<3>(json, "point_in_left_mm");
-    const auto c = get_vector<6>(json, "covariance_mm2");
-    p.covariance_mm2 << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+    p.covariance_mm2 = from_upper(get_vector<6>(json, "covariance_mm2"));
+    if (json.contains("calibration_covariance_mm2")) {
+        p.calibration_covariance_mm2 =
+            from_upper(get_vector<6>(json, "calibration_covariance_mm2"));
+    }
+    const auto method = position_method_from(get<std::string>(json, "method"));
+    if (!method) {
+        throw Fault{"\"method\" is not known"};
+    }
+    p.method = *method;
+    p.epipolar = {get<double>(json, "epipolar_offset_px"),
+                  get<double>(json, "epipolar_noise_sigma_px"),
+                  get_optional<double>(json, "epipolar_calibration_sigma_px")};
     p.residual_px = get<double>(json, "residual_px");
     p.parallax_rad = get<double>(json, "parallax_rad");
     return p;
 }
 
 Json json_of(const MotionEstimate& m) {
-    const Eigen::Matrix3d& c = m.velocity_covariance_mm2_s2;
-    Eigen::Matrix<double, 6, 1> upper;
-    upper << c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2);
     return {{"smoothed_in_left_mm", from_vector<3>(m.point_mm)},
             {"velocity_mm_s", from_vector<3>(m.velocity_mm_s)},
-            {"velocity_covariance_mm2_s2", from_vector<6>(upper)},
+            {"velocity_covariance_mm2_s2", from_vector<6>(upper_of(m.velocity_covariance_mm2_s2))},
             {"acceleration_mm_s2", from_vector<3>(m.acceleration_mm_s2)},
             {"model", model_names[static_cast<int>(m.model)]},
             {"innovation", m.innovation},
@@ -63,8 +90,7 @@ MotionEstimate read_motion(const Json& json) {
     MotionEstimate m;
     m.point_mm = get_vector<3>(json, "smoothed_in_left_mm");
     m.velocity_mm_s = get_vector<3>(json, "velocity_mm_s");
-    const auto c = get_vector<6>(json, "velocity_covariance_mm2_s2");
-    m.velocity_covariance_mm2_s2 << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+    m.velocity_covariance_mm2_s2 = from_upper(get_vector<6>(json, "velocity_covariance_mm2_s2"));
     m.acceleration_mm_s2 = get_vector<3>(json, "acceleration_mm_s2");
     m.model = read_name<MotionModel>(json, "model", model_names);
     m.innovation = get<double>(json, "innovation");
@@ -133,6 +159,20 @@ TrackSnapshot read_track(const Json& json) {
         track.estimate.motion = read_motion(json.at("motion"));
     }
     return track;
+}
+
+Json json_of(const RigWatchState& watch) {
+    return {{"matches", watch.matches},
+            {"offset_px", watch.offset_px},
+            {"sigma_px", watch.sigma_px},
+            {"turn_rad", watch.turn_rad},
+            {"moved", watch.moved}};
+}
+
+RigWatchState read_rig_watch(const Json& json) {
+    return {get<int>(json, "matches"), get<double>(json, "offset_px"),
+            get<double>(json, "sigma_px"), get<double>(json, "turn_rad"),
+            get<bool>(json, "moved")};
 }
 
 Json json_of(const HeadSnapshot& head) {
@@ -248,6 +288,9 @@ Snapshot read_snapshot(const Json& json) {
     if (json.contains("servo")) {
         snapshot.servo = read_servo(json.at("servo"));
     }
+    if (json.contains("rig_watch")) {
+        snapshot.rig_watch = read_rig_watch(json.at("rig_watch"));
+    }
     snapshot.rate_hz = get<double>(json, "rate_hz");
     snapshot.processing_ms = get<double>(json, "processing_ms");
     snapshot.latency_ms = get<double>(json, "latency_ms");
@@ -276,6 +319,9 @@ std::string to_json(const Snapshot& snapshot) {
     if (snapshot.failure) {
         json["failure"] = {{"cause", snapshot.failure->cause},
                            {"remedy", snapshot.failure->remedy}};
+    }
+    if (snapshot.rig_watch) {
+        json["rig_watch"] = json_of(*snapshot.rig_watch);
     }
     if (snapshot.head) {
         json["head"] = json_of(*snapshot.head);

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/devices/head_state.h"
 #include "core/image/frame.h"
+#include "core/stereo/rig_watch.h"
 #include "core/tracking/stereo_tracker.h"
 
 namespace kambara {
@@ -73,6 +74,8 @@ struct Snapshot {
     double processing_ms = 0.0;          ///< time spent on this pair
     double latency_ms = 0.0;             ///< from the pair's arrival to its result
     std::int64_t frames_total = -1;  ///< of a recording; -1 where there is no end or it is unknown
+    /// Whether the cameras still stand as calibrated; empty while too few matches tell.
+    std::optional<RigWatchState> rig_watch;
     std::uint64_t frames_lost = 0;  ///< that came while the pipeline was busy, or without a partner
     ImageSet pictures;
 };

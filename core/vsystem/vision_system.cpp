@@ -341,6 +341,12 @@ Result<std::unique_ptr<VsystemInterface>> open_vision_system(VisionSystemParts p
         return rig.error();
     }
     parts.rig = std::move(*rig);
+    if (options.tracker.position.method != PositionMethod::reprojection) {
+        if (const auto suits = check_position_method(parts.rig, options.tracker.position.method);
+            !suits) {
+            return suits.error();
+        }
+    }
     auto system = std::make_unique<VisionSystem>(std::move(parts), options, clock);
     if (const auto opened = system->open(options.start_paused); !opened) {
         return opened.error();

@@ -149,6 +149,12 @@ std::string apply(std::string_view key, std::string_view value, SimulatedProfile
     if (key == "feed_noise") {
         return read_degrees(value, 0, 20, profile.feed_turn_noise_rad_s);
     }
+    if (key == "knock") {
+        return read(value, 0, 1e6, profile.knock_s);
+    }
+    if (key == "knock_deg") {
+        return read_degrees(value, -5, 5, profile.knock_rad);
+    }
     if (key == "particles") {
         return read(value, 0, 5000, profile.particles);
     }

@@ -91,6 +91,52 @@ TEST(SimulatedJob, FollowsTwoTargetsAndSteersToTheSecond) {
     std::filesystem::remove_all(folder);
 }
 
+// A knock turns the right camera by 0.05 degrees, 10 s on.
+TEST(SimulatedJob, TellsOfAKnockWithinSecondsAndOfNoneWithoutOne) {
+    for (const char* knock : {"", "&knock=10&knock_deg=0.05", "&knock=10&knock_deg=-0.05"}) {
+        TrackOptions options;
+        options.sources.left = "sim:default?seed=3" + std::string(knock);
+        options.templates = {"auto"};
+        options.seconds = 20.0;
+        const Outcome outcome = run_track(options);
+        ASSERT_FALSE(outcome.failure) << outcome.failure->text();
+        const auto watch = nlohmann::json::parse(outcome.json)["rig_watch"];
+        std::printf("%s: %s\n", knock, watch.dump().c_str());
+        const bool knocked = knock[0] != '\0';
+        ASSERT_EQ(watch["moved"].get<bool>(), knocked);
+        if (knocked) {
+            EXPECT_GT(watch["moved_frame"].get<int>(), 300);
+            EXPECT_LT(watch["moved_frame"].get<int>(), 300 + 4 * 30);
+            const double down_deg = std::string(knock).find('-') == std::string::npos ? -0.05 : 0.05;
+            EXPECT_NEAR(watch["turn_deg"].get<double>(), down_deg, 0.015);
+            EXPECT_NE(outcome.summary.find("Check the cameras' mounts"), std::string::npos);
+        }
+    }
+}
+
+TEST(SimulatedJob, MeasuresByTheMethodsOf1999OrSaysWhyNot) {
+    for (const char* method : {"reprojection", "sine", "midpoint"}) {
+        TrackOptions options;
+        options.sources.left = "sim:default?seed=3";
+        options.templates = {"auto"};
+        options.seconds = 4.0;
+        options.position_method = method;
+        const Outcome outcome = run_track(options);
+        ASSERT_FALSE(outcome.failure) << outcome.failure->text();
+        const auto report = nlohmann::json::parse(outcome.json);
+        EXPECT_EQ(report["position_method"], method);
+        EXPECT_GE(report["tracked_fraction"].get<double>(), 0.99);
+        EXPECT_LE(report["truth"]["range_error_mean_pct"].get<double>(), 0.3) << method;
+    }
+    TrackOptions options;
+    options.sources.left = "sim:default?seed=3";
+    options.templates = {"auto"};
+    options.position_method = "parallel";
+    const Outcome outcome = run_track(options);
+    ASSERT_TRUE(outcome.failure);
+    EXPECT_NE(outcome.failure->cause.find("parallel cameras"), std::string::npos);
+}
+
 TEST(SimulatedJob, RefusesToSteerToATargetThatThereIsNot) {
     TrackOptions options;
     options.sources.left = "sim:default?frames=3";

@@ -42,14 +42,20 @@ Frame frame_of(Image picture, std::int64_t index, double rate_hz) {
 
 double TexturedPlane::grey_at(double u, double v) const {
     // Two sizes of smoothed random values: no two places look alike.
-    const double value = smoothed(u / 14.0, v / 14.0, 1) + 1.2 * smoothed(u / 45.0, v / 45.0, 2);
+    const double value = smoothed(u / (14.0 * size), v / (14.0 * size), 1) +
+                         1.2 * smoothed(u / (45.0 * size), v / (45.0 * size), 2);
     return offset_grey + contrast_grey * value;
 }
 
 Image drawn(const TexturedPlane& plane, const Camera& camera) {
-    Image picture(camera.width_px, camera.height_px);
-    for (int y = 0; y < camera.height_px; ++y) {
-        for (int x = 0; x < camera.width_px; ++x) {
+    return drawn(plane, camera, {0, 0, camera.width_px, camera.height_px});
+}
+
+Image drawn(const TexturedPlane& plane, const Camera& camera, const Rectangle& part) {
+    Image picture(camera.width_px, camera.height_px, 1,
+                  static_cast<std::uint8_t>(std::lround(plane.offset_grey)));
+    for (int y = std::max(0, part.y); y < std::min(camera.height_px, part.y + part.height); ++y) {
+        for (int x = std::max(0, part.x); x < std::min(camera.width_px, part.x + part.width); ++x) {
             double sum = 0.0;
             for (int i = 0; i < samples * samples; ++i) {
                 const Eigen::Vector2d pixel(x + (i % samples + 0.5) / samples - 0.5,

@@ -6,6 +6,7 @@
 
 #include "core/camera/rig.h"
 #include "core/image/frame.h"
+#include "core/image/rectangle.h"
 
 namespace kambara::testing_support {
 
@@ -16,11 +17,14 @@ struct TexturedPlane {
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();     ///< change of z by x and by y
     double contrast_grey = 55.0;
     double offset_grey = 125.0;
+    double size = 1.0;  ///< of the pattern
 
     double grey_at(double u_mm, double v_mm) const;
 };
 
 Image drawn(const TexturedPlane& plane, const Camera& camera);
+/// Only the part; the rest is even grey.
+Image drawn(const TexturedPlane& plane, const Camera& camera, const Rectangle& part);
 
 StereoFrame drawn_pair(const TexturedPlane& plane, const Rig& rig, std::int64_t index,
                        double rate_hz = 30.0);

@@ -39,6 +39,19 @@ const char* const phrases[] = {
     QT_TRANSLATE_NOOP("core", "Doubtful"),
     QT_TRANSLATE_NOOP("core", "Lost"),
     QT_TRANSLATE_NOOP("core", "The source has come to its end."),
+    QT_TRANSLATE_NOOP("core",
+                      "A camera may have moved: the right picture shows things %1 px below where "
+                      "the calibration expects them (median of %2 matches; %3 px would be usual), "
+                      "as if the right camera had tilted up by %4 degrees against the left one. "
+                      "Check the cameras' mounts, then calibrate again."),
+    QT_TRANSLATE_NOOP("core",
+                      "A camera may have moved: the right picture shows things %1 px above where "
+                      "the calibration expects them (median of %2 matches; %3 px would be usual), "
+                      "as if the right camera had tilted down by %4 degrees against the left one. "
+                      "Check the cameras' mounts, then calibrate again."),
+    QT_TRANSLATE_NOOP("core",
+                      "The cameras see each other's points where the calibration expects them "
+                      "again (%1 px beside, median of %2 matches)."),
     QT_TRANSLATE_NOOP("core", "The target is not held still yet."),
     QT_TRANSLATE_NOOP("core", "The target is where shot %1 shows it already: move it."),
     QT_TRANSLATE_NOOP("core", "The %1 camera does not find the target: %2"),

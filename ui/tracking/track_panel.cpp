@@ -46,6 +46,10 @@ TrackPanel::TrackPanel(QWidget* parent) : QWidget(parent) {
                  tr("In the left camera's frame; \u00B1 one standard deviation from image noise."));
     y_ = add_row(tr("y (down)"), QStringLiteral("positionY"), x_->toolTip());
     z_ = add_row(tr("z (ahead)"), QStringLiteral("positionZ"), x_->toolTip());
+    calibration_ =
+        add_row(tr("By calibration"), QStringLiteral("calibrationSigma"),
+                tr("One standard deviation of x, y, z that the calibration leaves: it does not "
+                   "average out. Known where the rig file tells its covariance."));
     range_ = add_row(tr("Range"), QStringLiteral("range"), tr("Distance from the left camera."));
     quality_ = add_row(tr("Quality"), QStringLiteral("quality"),
                        tr("How like the template the target is, in the worse of both pictures."));
@@ -72,7 +76,8 @@ void TrackPanel::clear() {
     state_->setText(name_of(TrackState::idle));
     state_->setStyleSheet(QStringLiteral("color: %1").arg(theme::faint.name()));
     reason_->setText(tr("Drag a rectangle over the target in the left picture."));
-    for (QLabel* label : {number_, x_, y_, z_, range_, quality_, residual_, updates_}) {
+    for (QLabel* label :
+         {number_, x_, y_, z_, calibration_, range_, quality_, residual_, updates_}) {
         label->setText(none);
     }
 }
@@ -95,7 +100,7 @@ void TrackPanel::show_snapshot(const SnapshotPtr& snapshot) {
     quality_->setText(percent(estimate.quality));
     updates_->setText(QString::number(estimate.template_updates));
     if (!estimate.position) {
-        for (QLabel* label : {x_, y_, z_, range_, residual_}) {
+        for (QLabel* label : {x_, y_, z_, calibration_, range_, residual_}) {
             label->setText(none);
         }
         return;
@@ -105,6 +110,13 @@ void TrackPanel::show_snapshot(const SnapshotPtr& snapshot) {
     x_->setText(with_sigma(p.x(), c(0, 0)));
     y_->setText(with_sigma(p.y(), c(1, 1)));
     z_->setText(with_sigma(p.z(), c(2, 2)));
+    const auto& by_calibration = estimate.position->calibration_covariance_mm2;
+    calibration_->setText(
+        by_calibration ? QStringLiteral("\u00B1 %1 / %2 / %3")
+                             .arg(std::sqrt((*by_calibration)(0, 0)), 0, 'f', 1)
+                             .arg(std::sqrt((*by_calibration)(1, 1)), 0, 'f', 1)
+                             .arg(millimetres(std::sqrt((*by_calibration)(2, 2))))
+                       : tr("not known"));
     const Eigen::Vector3d along = p.normalized();
     range_->setText(with_sigma(p.norm(), along.dot(c * along)));
     residual_->setText(pixels(estimate.position->residual_px));

@@ -27,6 +27,7 @@ class TrackPanel : public QWidget {
     QLabel* x_;
     QLabel* y_;
     QLabel* z_;
+    QLabel* calibration_;
     QLabel* range_;
     QLabel* quality_;
     QLabel* residual_;

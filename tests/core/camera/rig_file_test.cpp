@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/camera/nominal_rig.h"
+#include "core/camera/rig_parameters.h"
 
 namespace kambara {
 namespace {
@@ -187,6 +189,62 @@ TEST(RigFile, AnyBytesAreSafeToPass) {
           std::string("- 1\n- 2"), std::string("kambara_rig: 1\nunits: [mm]\nmedium: air")}) {
         EXPECT_FALSE(rig_from_text(text));
     }
+}
+
+// A covariance of the nominal rig's parameters with one of them held.
+Rig rig_with_covariance() {
+    Rig rig = nominal_rig();
+    const auto n = static_cast<Eigen::Index>(rig_parameter_names(rig).size());
+    Eigen::MatrixXd half = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index j = 0; j <= i; ++j) {
+            half(i, j) = 1e-3 * std::sin(1.0 + static_cast<double>(7 * i + 3 * j));
+        }
+    }
+    half.row(3).setZero();
+    rig.parameter_covariance = half * half.transpose();
+    return rig;
+}
+
+TEST(RigFile, KeepsTheCalibrationsCovariance) {
+    const Rig rig = rig_with_covariance();
+    const auto again = rig_from_text(rig_to_text(rig));
+    ASSERT_TRUE(again) << again.error().text();
+    ASSERT_TRUE(again->parameter_covariance);
+    const Eigen::MatrixXd& a = *rig.parameter_covariance;
+    EXPECT_LE((a - *again->parameter_covariance).cwiseAbs().maxCoeff(), 1e-15 * a.norm());
+    EXPECT_EQ(again->parameter_covariance->row(3).norm(), 0.0);
+    EXPECT_FALSE(rig_from_text(rig_to_text(nominal_rig()))->parameter_covariance);
+}
+
+TEST(RigFile, RefusesACovarianceThatIsNone) {
+    const Rig rig = rig_with_covariance();
+    const std::string section = "calibration_covariance";
+    const auto refused = [&](const std::string& path, const std::string& value) {
+        const auto read = rig_from_text(with(rig, section + path, value));
+        EXPECT_FALSE(read) << path << " " << value;
+        return !read && read.error().cause.find(section) != std::string::npos;
+    };
+    EXPECT_TRUE(refused("", "7"));
+    EXPECT_TRUE(refused(".sigma", "[1, 2]"));
+    EXPECT_TRUE(refused(".parameters", "[left.f_mm]"));
+    EXPECT_TRUE(refused(".correlation", "[[1], [0.5, 1]]"));
+    YAML::Node root = YAML::Load(rig_to_text(rig));
+    root[section]["sigma"][2] = "-1";
+    EXPECT_FALSE(rig_from_text(YAML::Dump(root)));
+    root = YAML::Load(rig_to_text(rig));
+    root[section]["correlation"][5][0] = ".nan";
+    EXPECT_FALSE(rig_from_text(YAML::Dump(root)));
+    // Three that can't go together: a with b, b with c, a against c.
+    root = YAML::Load(rig_to_text(rig));
+    root[section]["correlation"][1][0] = "1";
+    root[section]["correlation"][2][1] = "1";
+    root[section]["correlation"][2][0] = "-1";
+    EXPECT_FALSE(rig_from_text(YAML::Dump(root)));
+    // It belongs to a pair.
+    root = YAML::Load(rig_to_text(rig));
+    root["cameras"].remove("right");
+    EXPECT_FALSE(rig_from_text(YAML::Dump(root)));
 }
 
 }  // namespace
