@@ -23,6 +23,7 @@
 #include "ui/plots/plots_panel.h"
 #include "ui/scene3d/scene_view.h"
 #include "ui/shell/about_dialog.h"
+#include "ui/shell/assistants.h"
 #include "ui/shell/event_log.h"
 #include "ui/shell/open_recording_dialog.h"
 #include "ui/shell/playback_bar.h"
@@ -85,6 +86,7 @@ MainWindow::MainWindow(SystemOpener opener, const WindowOptions& options, QWidge
     build_docks();
     build_menus();
     build_tools();
+    build_assistants();
     connect_actions();
     connect_link();
     restore_layout();
@@ -206,6 +208,8 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
     if (calibration_ != nullptr) {
         calibration_->set_source(rig, link_->hand(), !recording_);
     }
+    track_->set_rig(rig);
+    assistants_->set_source(rig);
     if (recording_) {
         RecentRecordings::remember(request);
         fill_recent();
@@ -224,6 +228,7 @@ void MainWindow::show_snapshot(const SnapshotPtr& snapshot) {
     if (calibration_ != nullptr && calibration_->isVisible()) {
         calibration_->show_snapshot(snapshot);
     }
+    assistants_->show_snapshot(snapshot);
     if (first) {
         show_numbers();  // what can be done now should be possible at once
     }
@@ -336,6 +341,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!assistants_->may_close()) {
+        event->ignore();
+        return;
+    }
     if (options_.keep_layout) {
         save_layout(*this);
     }

@@ -13,6 +13,7 @@ class QMenu;
 
 namespace kambara::ui {
 
+class Assistants;
 class CalibrationWindow;
 class CorrelationMapView;
 class EventLog;
@@ -60,6 +61,7 @@ class MainWindow : public QMainWindow {
     void build_tools();
     void connect_actions();
     void connect_link();
+    void build_assistants();
     QDockWidget* add_dock(QWidget* part, const QString& title, const char* object_name,
                           Qt::DockWidgetArea area);
     void lay_out();
@@ -90,6 +92,7 @@ class MainWindow : public QMainWindow {
     EventLog* events_ = nullptr;
     StatusFields* status_ = nullptr;
     CalibrationWindow* calibration_ = nullptr;
+    Assistants* assistants_ = nullptr;
     Rig rig_;
     QMenu* recent_ = nullptr;
     QList<QDockWidget*> docks_;

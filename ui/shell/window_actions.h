@@ -34,6 +34,9 @@ class WindowActions : public QObject {
     QAction* home;
     QAction* halt;
     QAction* calibrate;
+    QAction* level;
+    QAction* range_experiment;
+    QAction* calibrate_head;
     QAction* stretch_map;
     QAction* default_layout;
     QAction* about;
