@@ -5,6 +5,7 @@
 
 #include "app/kambara/calibration_ports.h"
 #include "app/kambara/command_line.h"
+#include "app/kambara/experiment_ports.h"
 #include "app/kambara/language.h"
 #include "app/kambara/open_system.h"
 #include "core/base/clock.h"
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
     ui::apply_theme(application);
     options.with_gl = options.with_gl && ui::can_draw_with_gl();
     options.calibration = calibration_ports();
+    options.experiments = experiment_ports();
     SteadyClock clock;
     const QString pan_tilt = CommandLine::pan_tilt(QApplication::arguments());
     ui::MainWindow window(system_opener(clock, pan_tilt.toStdString()), options);

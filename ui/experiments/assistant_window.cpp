@@ -50,14 +50,18 @@ void AssistantWindow::say_failure(const Error& error) {
 }
 
 bool AssistantWindow::may_close() {
+    return may_drop(tr("Close without saving"));
+}
+
+bool AssistantWindow::may_drop(const QString& button) {
     const QString lost = unsaved();
     if (lost.isEmpty()) {
         return true;
     }
     QMessageBox box(QMessageBox::Warning, windowTitle(), lost, QMessageBox::NoButton, this);
     box.setObjectName(QStringLiteral("unsavedQuestion"));
-    QPushButton* stay = box.addButton(tr("Keep the window open"), QMessageBox::RejectRole);
-    QPushButton* drop = box.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
+    QPushButton* stay = box.addButton(tr("Keep it"), QMessageBox::RejectRole);
+    QPushButton* drop = box.addButton(button, QMessageBox::DestructiveRole);
     box.setDefaultButton(stay);
     box.setEscapeButton(stay);
     box.exec();

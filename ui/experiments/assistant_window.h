@@ -33,6 +33,8 @@ class AssistantWindow : public QWidget {
     void command_asked(const kambara::Command& command);
 
   protected:
+    /// Likewise, for another way of losing it, which the button names.
+    bool may_drop(const QString& button);
     /// Where the form says what happened; every form has one at its foot.
     QLabel* said() { return said_; }
     void say(const QString& text);

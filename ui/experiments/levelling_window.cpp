@@ -31,8 +31,8 @@ constexpr double much_sigma_rad = rad_from_deg(0.3);
 const QString none = QStringLiteral("\u2013");
 
 QString with_sigma(double rad, const std::optional<double>& sigma_rad) {
-    return sigma_rad ? QStringLiteral("%1  \u00B1 %2").arg(degrees(rad, 2), degrees(*sigma_rad, 2))
-                     : degrees(rad, 2);
+    return sigma_rad ? QStringLiteral("%1  \u00B1 %2").arg(degrees(rad, 3), degrees(*sigma_rad, 3))
+                     : degrees(rad, 3);
 }
 
 }  // namespace
@@ -284,7 +284,7 @@ void LevellingWindow::show_found(const Found& found) {
     const Mount mount = levelling_ ? levelling_->mount : Mount{};
     pitch_->setText(levelling_ ? with_sigma(mount.pitch_rad, mount.pitch_sigma_rad) : none);
     roll_->setText(!levelling_  ? none
-                   : found.wall ? tr("%1, as given").arg(degrees(mount.roll_rad, 2))
+                   : found.wall ? tr("%1, as given").arg(degrees(mount.roll_rad, 3))
                                 : with_sigma(mount.roll_rad, mount.roll_sigma_rad));
     warning_->setText(warnings(found));
     std::optional<Eigen::Vector3d> direction;

@@ -2,10 +2,12 @@
 #include "ui/shell/assistants.h"
 
 #include "ui/experiments/levelling_window.h"
+#include "ui/experiments/range_window.h"
 
 namespace kambara::ui {
 
-Assistants::Assistants(QWidget* main_window) : QObject(main_window), main_window_(main_window) {}
+Assistants::Assistants(const ExperimentPorts& ports, QWidget* main_window)
+    : QObject(main_window), ports_(ports), main_window_(main_window) {}
 
 void Assistants::show(AssistantWindow* window) {
     if (!windows_.contains(window)) {
@@ -27,8 +29,22 @@ void Assistants::show_levelling() {
     show(levelling_);
 }
 
-void Assistants::set_source(const Rig& rig) {
+void Assistants::show_range_experiment() {
+    if (range_ == nullptr) {
+        range_ = new RangeWindow(ports_, main_window_);
+        range_->set_stations(stations_);
+        connect(range_, &RangeWindow::stations_asked, this,
+                [this] { emit simulation_asked(QStringLiteral("sim:stations")); });
+    }
+    show(range_);
+}
+
+void Assistants::set_source(const Rig& rig, const SimulatedStations& stations) {
     rig_ = rig;
+    stations_ = stations;
+    if (range_ != nullptr) {
+        range_->set_stations(stations);
+    }
     for (AssistantWindow* window : windows_) {
         window->set_source(rig);
     }

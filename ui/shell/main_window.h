@@ -33,6 +33,7 @@ struct WindowOptions {
     SourceRequest first;       ///< opened at once
     SourceRequest simulation;  ///< what "Simulated rig" opens
     CalibrationPorts calibration = {};
+    ExperimentPorts experiments = {};
 };
 
 /// twoView's successor: live views, target, map, 3-D view, plots, head and events in one window.

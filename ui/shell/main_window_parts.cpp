@@ -141,8 +141,15 @@ void MainWindow::build_tools() {
 }
 
 void MainWindow::build_assistants() {
-    assistants_ = new Assistants(this);
+    assistants_ = new Assistants(options_.experiments, this);
     connect(actions_->level, &QAction::triggered, assistants_, &Assistants::show_levelling);
+    connect(actions_->range_experiment, &QAction::triggered, assistants_,
+            &Assistants::show_range_experiment);
+    connect(assistants_, &Assistants::simulation_asked, this, [this](const QString& source) {
+        SourceRequest request;
+        request.left = source.toStdString();
+        open(request);
+    });
     connect(assistants_, &Assistants::command_asked, this,
             [this](const Command& command) { link_->send(command); });
     connect(assistants_, &Assistants::mount_found, this, [this](const Mount& mount) {
