@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/kambara/experiment_ports.h"
 
+#include "app/cli/calibrate_head_command.h"
 #include "app/cli/named_table.h"
 #include "app/cli/range_test_page.h"
+#include "hardware/media/picture_file.h"
 
 namespace kambara {
 namespace {
@@ -25,6 +27,19 @@ Result<std::vector<Eigen::Vector3d>> places_in(const std::filesystem::path& file
     return places;
 }
 
+Result<ui::HeadRecordRead> head_record(const std::filesystem::path& file, const Rig& rig,
+                                       const Target& target) {
+    const auto record = cli::read_head_record(file, rig, target, [](double) {});
+    if (!record) {
+        return record.error();
+    }
+    ui::HeadRecordRead read{record->views, {}};
+    for (const cli::RejectedHeadView& one : record->rejected) {
+        read.rejected.push_back(one.reason);
+    }
+    return read;
+}
+
 }  // namespace
 
 ui::ExperimentPorts experiment_ports() {
@@ -32,6 +47,8 @@ ui::ExperimentPorts experiment_ports() {
     ports.read_places = places_in;
     ports.range_table = cli::range_test_table;
     ports.range_page = cli::range_test_page;
+    ports.read_head_record = head_record;
+    ports.write_picture = write_picture;
     return ports;
 }
 

@@ -64,7 +64,7 @@ const std::map<std::string, std::set<std::string>>& allowed_includes() {
         {"ui/experiments",
          with(with(camera, image),
               {"core/stereo", "core/pointing", "core/calibration", "core/vsystem/snapshot.h",
-               "core/vsystem/command.h", "ui", "ui/calibration"})},
+               "core/vsystem/command.h", "core/vsystem/head_view.h", "ui", "ui/calibration"})},
     };
     return table;
 }

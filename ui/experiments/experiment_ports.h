@@ -9,10 +9,20 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/calibration/target.h"
+#include "core/camera/rig.h"
+#include "core/image/image.h"
 #include "core/image/rectangle.h"
+#include "core/pointing/head_calibration.h"
 #include "core/stereo/range_experiment.h"
 
 namespace kambara::ui {
+
+/// A record of head views, read: those of use, and why others are not.
+struct HeadRecordRead {
+    std::vector<HeadView> views;
+    std::vector<std::string> rejected;  ///< sentences
+};
 
 /// What the experiments' forms need of the program around them: files and pages that the command
 /// line has as well. Called on the forms' threads.
@@ -21,6 +31,10 @@ struct ExperimentPorts {
     std::function<Result<std::vector<Eigen::Vector3d>>(const std::filesystem::path&)> read_places;
     std::function<std::string(const RangeExperiment&)> range_table;                     ///< CSV
     std::function<std::string(const RangeExperiment&, double baseline_mm)> range_page;  ///< HTML
+    /// A table of head views with its pictures (resources/README.md: head views).
+    std::function<Result<HeadRecordRead>(const std::filesystem::path&, const Rig&, const Target&)>
+        read_head_record;
+    std::function<Result<Done>(const std::filesystem::path&, const Image&)> write_picture;
 };
 
 /// The range experiment's places where the target of the open source is simulated, and the truth

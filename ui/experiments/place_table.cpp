@@ -12,7 +12,18 @@
 namespace kambara::ui {
 namespace {
 
-enum Column { known_x, known_y, known_z, count, measured_x, measured_y, measured_z, off, off_range, columns };
+enum Column {
+    known_x,
+    known_y,
+    known_z,
+    count,
+    measured_x,
+    measured_y,
+    measured_z,
+    off,
+    off_range,
+    columns
+};
 
 std::optional<double> number_in(const QTableWidgetItem* item) {
     if (item == nullptr) {

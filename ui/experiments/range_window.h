@@ -41,6 +41,9 @@ class RangeWindow : public AssistantWindow {
     void show_snapshot(const SnapshotPtr& snapshot) override;
     QString unsaved() const override;
 
+    /// Adds the known places of a table.
+    void load(const QString& file);
+
   signals:
     /// The simulated rig should show its stations from the first one on.
     void stations_asked();
@@ -55,7 +58,6 @@ class RangeWindow : public AssistantWindow {
     QWidget* places_page();
     QWidget* result_page();
     void connect_all();
-    void load(const QString& file);
     void measure(bool on);
     void simulate(bool on);
     void begin_run(const Snapshot& snapshot);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/assistants.h"
 
+#include "ui/experiments/head_window.h"
 #include "ui/experiments/levelling_window.h"
 #include "ui/experiments/range_window.h"
 
@@ -39,9 +40,26 @@ void Assistants::show_range_experiment() {
     show(range_);
 }
 
-void Assistants::set_source(const Rig& rig, const SimulatedStations& stations) {
+void Assistants::show_head_calibration() {
+    if (head_ == nullptr) {
+        head_ = new HeadWindow(ports_, main_window_);
+        head_->set_hand(hand_, simulated_);
+        connect(head_, &HeadWindow::simulated_target_asked, this, [this](const QString& target) {
+            emit simulation_asked(QStringLiteral("sim:chessboard?target=") + target);
+        });
+    }
+    show(head_);
+}
+
+void Assistants::set_source(const Rig& rig, const SimulatedStations& stations,
+                            const TargetHand& hand, bool simulated) {
     rig_ = rig;
     stations_ = stations;
+    hand_ = hand;
+    simulated_ = simulated;
+    if (head_ != nullptr) {
+        head_->set_hand(hand, simulated);
+    }
     if (range_ != nullptr) {
         range_->set_stations(stations);
     }

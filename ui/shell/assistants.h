@@ -7,6 +7,7 @@
 #include "core/camera/rig.h"
 #include "core/vsystem/command.h"
 #include "core/vsystem/snapshot.h"
+#include "ui/calibration/calibration_ports.h"
 #include "ui/experiments/experiment_ports.h"
 
 class QWidget;
@@ -14,6 +15,7 @@ class QWidget;
 namespace kambara::ui {
 
 class AssistantWindow;
+class HeadWindow;
 class LevellingWindow;
 class RangeWindow;
 
@@ -25,8 +27,10 @@ class Assistants : public QObject {
 
     void show_levelling();
     void show_range_experiment();
+    void show_head_calibration();
 
-    void set_source(const Rig& rig, const SimulatedStations& stations);
+    void set_source(const Rig& rig, const SimulatedStations& stations, const TargetHand& hand,
+                    bool simulated);
     /// Of those that are open.
     void show_snapshot(const SnapshotPtr& snapshot);
     /// Asks where something unsaved would be lost; false where the program must not close.
@@ -47,8 +51,11 @@ class Assistants : public QObject {
     QList<AssistantWindow*> windows_;
     LevellingWindow* levelling_ = nullptr;
     RangeWindow* range_ = nullptr;
+    HeadWindow* head_ = nullptr;
     Rig rig_;
     SimulatedStations stations_;
+    TargetHand hand_;
+    bool simulated_ = false;
 };
 
 }  // namespace kambara::ui

@@ -209,7 +209,7 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
         calibration_->set_source(rig, link_->hand(), !recording_);
     }
     track_->set_rig(rig);
-    assistants_->set_source(rig, link_->stations());
+    assistants_->set_source(rig, link_->stations(), link_->hand(), !recording_);
     if (recording_) {
         RecentRecordings::remember(request);
         fill_recent();

@@ -145,6 +145,8 @@ void MainWindow::build_assistants() {
     connect(actions_->level, &QAction::triggered, assistants_, &Assistants::show_levelling);
     connect(actions_->range_experiment, &QAction::triggered, assistants_,
             &Assistants::show_range_experiment);
+    connect(actions_->calibrate_head, &QAction::triggered, assistants_,
+            &Assistants::show_head_calibration);
     connect(assistants_, &Assistants::simulation_asked, this, [this](const QString& source) {
         SourceRequest request;
         request.left = source.toStdString();
