@@ -1,80 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/calibrate_head_command.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/named_table.h"
 #include "app/cli/terminal.h"
 #include "core/calibration/target.h"
-#include "core/calibration/target_detector.h"
 #include "core/camera/rig_file.h"
 #include "core/pointing/head_calibration.h"
-#include "core/stereo/position.h"
+#include "core/vsystem/head_view.h"
 #include "hardware/media/picture_file.h"
 
 namespace kambara::cli {
 namespace {
-
-constexpr std::size_t least_corners = 8;
-
-struct Gathered {
-    std::vector<HeadView> views;
-    nlohmann::json rejected = nlohmann::json::array();
-};
-
-// Errors here reject a view, not the command.
-Result<DetectedCorners> corners_in(const std::filesystem::path& file, const Target& target,
-                                   const Camera& camera) {
-    const auto picture = read_picture(file);
-    if (!picture) {
-        return picture.error();
-    }
-    if (picture->width() != camera.width_px || picture->height() != camera.height_px) {
-        return Error{file.string() + " is not of the size that the rig was calibrated for.",
-                     "Give pictures of that size."};
-    }
-    return detect_target(*picture, target);
-}
-
-// The target's pose from its corners in both fixed cameras: each corner's position, then the
-// target, whose shape is known, laid upon them.
-Result<RigidTransform> target_in_rig(const Rig& rig, const Target& target,
-                                     const DetectedCorners& left, const DetectedCorners& right) {
-    std::map<int, DetectedCorner> others;
-    for (const DetectedCorner& corner : right) {
-        others[corner.id] = corner;
-    }
-    const auto corners = corners_in_target_mm(target);
-    const RigidTransform T_rig_from_left = rig.left.T_camera_from_rig.inverse();
-    Eigen::Matrix3Xd known(3, static_cast<Eigen::Index>(left.size()));
-    Eigen::Matrix3Xd measured = known;
-    Eigen::Index count = 0;
-    for (const DetectedCorner& corner : left) {
-        const auto other = others.find(corner.id);
-        if (other == others.end()) {
-            continue;
-        }
-        const auto position = position_from_pair(rig, {corner.px}, {other->second.px});
-        if (position) {
-            known.col(count) = corners[static_cast<std::size_t>(corner.id)];
-            measured.col(count) = T_rig_from_left * position->point_in_left_mm;
-            ++count;
-        }
-    }
-    if (count < static_cast<Eigen::Index>(least_corners)) {
-        return Error{"The left and the right picture share only " + std::to_string(count) +
-                         " corners of the target.",
-                     "Show it to both."};
-    }
-    const Eigen::Matrix4d T =
-        Eigen::umeyama(known.leftCols(count), measured.leftCols(count), false);
-    return RigidTransform{T.topLeftCorner<3, 3>(), T.topRightCorner<3, 1>()};
-}
 
 int side_of(const NamedRow& row, const char* column) {
     const auto cell = row.cells.find(column);
@@ -84,61 +25,34 @@ int side_of(const NamedRow& row, const char* column) {
                                      : 0;
 }
 
+// Errors here reject a view, not the command.
 Result<HeadView> view_of(const NamedRow& row, const std::filesystem::path& folder, const Rig& rig,
                          const Target& target) {
     const auto angles_deg = row.pair("pan_deg", "tilt_deg");
     if (!angles_deg) {
         return Error{"pan_deg and tilt_deg are not two numbers.", "Write them."};
     }
-    const auto file = [&](const char* column) { return folder / row.cells.at(column); };
-    const auto left = corners_in(file("left"), target, rig.left);
-    const auto right = corners_in(file("right"), target, *rig.right);
-    const auto head = corners_in(file("pan_tilt"), target, *rig.pan_tilt);
-    for (const auto* found : {&left, &right, &head}) {
-        if (!*found) {
-            return found->error();
+    HeadPictures pictures;
+    const std::pair<const char*, ImagePtr*> files[] = {
+        {"left", &pictures.left}, {"right", &pictures.right}, {"pan_tilt", &pictures.pan_tilt}};
+    for (const auto& [column, into] : files) {
+        auto picture = read_picture(folder / row.cells.at(column));
+        if (!picture) {
+            return picture.error();
         }
+        *into = std::make_shared<const Image>(std::move(*picture));
     }
-    const auto T_rig_from_target = target_in_rig(rig, target, *left, *right);
-    if (!T_rig_from_target) {
-        return T_rig_from_target.error();
-    }
-    HeadView view;
-    view.encoder = {rad_from_deg(angles_deg->x()), rad_from_deg(angles_deg->y())};
-    view.approach = {side_of(row, "pan_from"), side_of(row, "tilt_from")};
-    const auto corners = corners_in_target_mm(target);
-    for (const DetectedCorner& corner : *head) {
-        view.sightings.push_back(
-            {*T_rig_from_target * corners[static_cast<std::size_t>(corner.id)], corner.px});
-    }
-    if (view.sightings.size() < least_corners) {
-        return Error{"The head's camera sees too few of the target's corners.",
-                     "Turn the head towards it."};
-    }
-    return view;
+    return head_view_from(rig, target, pictures,
+                          {rad_from_deg(angles_deg->x()), rad_from_deg(angles_deg->y())},
+                          {side_of(row, "pan_from"), side_of(row, "tilt_from")});
 }
 
-Result<Gathered> gathered(const CalibrateHeadOptions& options, const Rig& rig,
-                          const Target& target) {
-    const auto table =
-        read_named_table(options.views, {"left", "right", "pan_tilt", "pan_deg", "tilt_deg"});
-    if (!table) {
-        return table.error();
+nlohmann::json json_of(const std::vector<RejectedHeadView>& rejected) {
+    nlohmann::json json = nlohmann::json::array();
+    for (const RejectedHeadView& view : rejected) {
+        json.push_back({{"line", view.line}, {"reason", view.reason}});
     }
-    const auto folder = std::filesystem::path(options.views).parent_path();
-    Gathered all;
-    ProgressLine progress;
-    for (std::size_t i = 0; i < table->rows.size(); ++i) {
-        progress.show(static_cast<double>(i) / static_cast<double>(table->rows.size()),
-                      "looking for the target");
-        const auto view = view_of(table->rows[i], folder, rig, target);
-        if (view) {
-            all.views.push_back(*view);
-        } else {
-            all.rejected.push_back({{"line", table->rows[i].line}, {"reason", view.error().cause}});
-        }
-    }
-    return all;
+    return json;
 }
 
 nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& rejected) {
@@ -197,6 +111,26 @@ std::string summary_of(const HeadCalibration& result, std::size_t rejected) {
 
 }  // namespace
 
+Result<HeadRecord> read_head_record(const std::filesystem::path& file, const Rig& rig,
+                                    const Target& target,
+                                    const std::function<void(double share)>& progress) {
+    const auto table = read_named_table(file, {"left", "right", "pan_tilt", "pan_deg", "tilt_deg"});
+    if (!table) {
+        return table.error();
+    }
+    HeadRecord record;
+    for (std::size_t i = 0; i < table->rows.size(); ++i) {
+        progress(static_cast<double>(i) / static_cast<double>(table->rows.size()));
+        auto view = view_of(table->rows[i], file.parent_path(), rig, target);
+        if (view) {
+            record.views.push_back(std::move(*view));
+        } else {
+            record.rejected.push_back({table->rows[i].line, view.error().cause});
+        }
+    }
+    return record;
+}
+
 Outcome run_calibrate_head(const CalibrateHeadOptions& options) {
     nlohmann::json rejected = nlohmann::json::array();
     const auto failed = [&rejected](const Error& error) {
@@ -216,11 +150,14 @@ Outcome run_calibrate_head(const CalibrateHeadOptions& options) {
     if (!target) {
         return failed(target.error());
     }
-    const auto all = gathered(options, *rig, *target);
+    ProgressLine progress;
+    const auto all = read_head_record(options.views, *rig, *target, [&progress](double share) {
+        progress.show(share, "looking for the target");
+    });
     if (!all) {
         return failed(all.error());
     }
-    rejected = all->rejected;
+    rejected = json_of(all->rejected);
     const auto result = calibrate_head(*rig, all->views);
     if (!result) {
         Error error = result.error();

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/outcome.h"
+#include "core/calibration/target.h"
+#include "core/pointing/head_calibration.h"
 
 namespace kambara::cli {
 
@@ -17,6 +21,23 @@ struct CalibrateHeadOptions {
     std::string target = "two-plane-24";
     std::filesystem::path out;
 };
+
+/// A row of a table of head views that can't be used, and why.
+struct RejectedHeadView {
+    int line = 0;
+    std::string reason;
+};
+
+struct HeadRecord {
+    std::vector<HeadView> views;
+    std::vector<RejectedHeadView> rejected;
+};
+
+/// The views of a table (resources/README.md: head views) and its pictures. `progress` is called
+/// before each row. The rig must have all three cameras.
+Result<HeadRecord> read_head_record(const std::filesystem::path& file, const Rig& rig,
+                                    const Target& target,
+                                    const std::function<void(double share)>& progress);
 
 /// The head's axes, lever arms and backlash, from pictures of a target by all three cameras at
 /// several head positions. The target may move between the views, not within one. JSON: rms_px,

@@ -92,17 +92,19 @@ Result<Levelling> levelled(const LevelOptions& options, Rig& rig) {
     if (!levelling) {
         return levelling.error();
     }
-    Mount& mount = levelling->mount;
-    mount.heading_rad =
-        options.heading_deg ? rad_from_deg(*options.heading_deg) : before.heading_rad;
-    mount.rig_in_vehicle_mm = before.rig_in_vehicle_mm;
-    if (options.by == "wall" && !options.roll_deg) {
-        mount.roll_sigma_rad = before.roll_sigma_rad;
+    const bool from_wall = options.by == "wall";
+    rig = with_mount(std::move(rig), *levelling, from_wall);
+    Mount& mount = *rig.mount;
+    if (options.heading_deg) {
+        mount.heading_rad = rad_from_deg(*options.heading_deg);
+    }
+    if (from_wall && options.roll_deg) {
+        mount.roll_sigma_rad.reset();
     }
     if (!options.rig_in_vehicle.empty()) {
         mount.rig_in_vehicle_mm = *three_numbers(options.rig_in_vehicle);
     }
-    rig.mount = mount;
+    levelling->mount = mount;
     if (options.out) {
         if (const auto written = write_rig_file(*options.out, rig); !written) {
             return written.error();

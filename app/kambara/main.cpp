@@ -6,6 +6,7 @@
 
 #include "app/kambara/calibration_ports.h"
 #include "app/kambara/command_line.h"
+#include "app/kambara/experiment_ports.h"
 #include "app/kambara/language.h"
 #include "app/kambara/open_system.h"
 #include "core/base/clock.h"
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
     ui::apply_theme(application);
     options.with_gl = options.with_gl && ui::can_draw_with_gl();
     options.calibration = calibration_ports();
+    options.experiments = experiment_ports();
     SteadyClock clock;
     // Without a way to gamepads the rest works all the same, and the status says that there is
     // none.

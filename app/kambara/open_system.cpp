@@ -7,6 +7,7 @@
 #include "app/sources/sources.h"
 #include "hardware/simulated/held_target.h"
 #include "hardware/simulated/simulated_world.h"
+#include "hardware/simulated/station_path.h"
 
 namespace kambara {
 namespace {
@@ -28,6 +29,25 @@ ui::TargetHand hand_of(const Sources& sources) {
     };
     hand.let_go = [held = sources.hand] { held->let_go(); };
     return hand;
+}
+
+ui::SimulatedStations stations_of(const Sources& sources) {
+    ui::SimulatedStations stations;
+    if (!sources.world || sources.world->profile().path != TargetPath::stations) {
+        return stations;
+    }
+    const auto world = sources.world;
+    stations.count = station_path::stations;
+    stations.target = [world](std::int64_t frame) { return world->suggested_template(31, frame); };
+    stations.station_in = [world](std::int64_t frame) {
+        return station_path::station_at(static_cast<double>(frame) / world->profile().rate_hz);
+    };
+    stations.known_in_left_mm = [world](const Eigen::Vector2d& left_px, std::int64_t seen_in,
+                                        std::int64_t frame) -> std::optional<Eigen::Vector3d> {
+        const auto point = world->target_point_under(left_px, seen_in);
+        return point ? std::optional(world->point_in_left_mm(*point, frame)) : std::nullopt;
+    };
+    return stations;
 }
 
 }  // namespace
@@ -59,11 +79,12 @@ ui::SystemOpener system_opener(Clock& clock, const std::string& pan_tilt) {
         system_options.in_real_time = sources->every_frame;
         system_options.start_paused = sources->every_frame;
         const ui::TargetHand hand = hand_of(*sources);
+        const ui::SimulatedStations stations = stations_of(*sources);
         auto system = open_vision_system(std::move(sources->parts), system_options, clock);
         if (!system) {
             return system.error();
         }
-        return ui::OpenedSystem{std::move(*system), hand};
+        return ui::OpenedSystem{std::move(*system), hand, stations};
     };
 }
 

@@ -220,6 +220,20 @@ Result<HeadCalibration> calibrate_head(const Rig& rig, const std::vector<HeadVie
     return result;
 }
 
+std::optional<double> view_rms_rad(const Rig& rig, const HeadModel& model, const HeadView& view) {
+    const RigidTransform T = T_camera_from_rig(model, axes_at(model, view.encoder, view.approach));
+    double squares = 0.0;
+    for (const HeadSighting& one : view.sightings) {
+        const auto ray = kambara::unproject(rig.pan_tilt.value().lens, one.pixel);
+        if (!ray) {
+            return std::nullopt;
+        }
+        const Eigen::Vector3d there = (T * one.point_in_rig_mm - ray->origin_mm).normalized();
+        squares += ray->direction.cross(there).squaredNorm();
+    }
+    return std::sqrt(squares / std::max<double>(1.0, static_cast<double>(view.sightings.size())));
+}
+
 Rig with_head_model(Rig rig, const HeadModel& model) {
     rig.head = model;
     rig.pan_tilt.value().T_camera_from_rig = T_camera_from_rig(model, HeadAngles{});

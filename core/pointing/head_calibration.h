@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -56,6 +57,10 @@ struct HeadCalibration {
 /// a span, points that the start puts behind the camera, an RMS beyond the gate.
 Result<HeadCalibration> calibrate_head(const Rig& rig, const std::vector<HeadView>& views,
                                        const HeadCalibrationOptions& options = {});
+
+/// How far a view is from a model: RMS of the angles, at the head's camera, between where it sees
+/// the points and where the model has them. Empty where a pixel has no ray.
+std::optional<double> view_rms_rad(const Rig& rig, const HeadModel& model, const HeadView& view);
 
 /// The rig with the head's model, and its pan-tilt camera where that has it at home.
 Rig with_head_model(Rig rig, const HeadModel& model);

@@ -204,4 +204,33 @@ Result<Levelling> level_from_wall(const Points& points_in_rig_mm, double roll_ra
     return result;
 }
 
+Movement movement_of(const Points& points_mm) {
+    Movement movement;
+    if (points_mm.size() < 2 || !all_finite(points_mm)) {
+        return movement;
+    }
+    const Axes axes = axes_of(points_mm);
+    const auto count = static_cast<double>(points_mm.size());
+    movement.extent_mm = extent(points_mm, axes.directions.col(2));
+    movement.off_line_rms_mm = std::sqrt((axes.spread[0] + axes.spread[1]) / count);
+    movement.off_plane_rms_mm = std::sqrt(axes.spread[0] / count);
+    return movement;
+}
+
+double largest_turn_by_bending_rad(double rms_mm, double extent_mm) {
+    return extent_mm > 0.0 ? std::atan(std::sqrt(12.0) * rms_mm / extent_mm) : 0.0;
+}
+
+Rig with_mount(Rig rig, const Levelling& found, bool from_wall) {
+    const Mount before = rig.mount.value_or(Mount{});
+    Mount mount = found.mount;
+    mount.heading_rad = before.heading_rad;
+    mount.rig_in_vehicle_mm = before.rig_in_vehicle_mm;
+    if (from_wall) {
+        mount.roll_sigma_rad = before.roll_sigma_rad;
+    }
+    rig.mount = mount;
+    return rig;
+}
+
 }  // namespace kambara

@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/camera/mount.h"
+#include "core/camera/rig.h"
 
 namespace kambara {
 
@@ -37,5 +38,26 @@ Result<Levelling> level_from_vertical(const std::vector<Eigen::Vector3d>& points
 /// points on one line, a wall seen from its side, a result that is not known to 2 degrees.
 Result<Levelling> level_from_wall(const std::vector<Eigen::Vector3d>& points_in_rig_mm,
                                   double roll_rad = 0.0, const LevellingOptions& options = {});
+
+/// How far measured points spread, whether or not they are of use to level by.
+struct Movement {
+    double extent_mm = 0.0;         ///< along the line of their largest spread
+    double off_line_rms_mm = 0.0;   ///< of the distances from that line
+    double off_plane_rms_mm = 0.0;  ///< of those from the plane of least distances
+};
+Movement movement_of(const std::vector<Eigen::Vector3d>& points_mm);
+
+/// A movement shorter than this is warned of: errors of 1 mm at its ends that hang together, as a
+/// rig's do, turn it by half a degree.
+inline constexpr double short_movement_mm = 200.0;
+
+/// The angle by which points off a line by this RMS may have turned it if they bend rather than
+/// scatter: a residual that grows evenly along the line is turned by its RMS times the root of 12
+/// over the length. 0 without a length.
+double largest_turn_by_bending_rad(double rms_mm, double extent_mm);
+
+/// The rig with the mount that was found. Its heading and lever arm stay as they were, and, from a
+/// wall, the roll's deviation, since a wall says nothing of roll.
+Rig with_mount(Rig rig, const Levelling& found, bool from_wall);
 
 }  // namespace kambara

@@ -57,21 +57,29 @@ const std::map<std::string, std::set<std::string>>& allowed_includes() {
          with(with(camera, image),
               {"core/vsystem/vsystem_interface.h", "core/vsystem/command.h",
                "core/vsystem/snapshot.h", "core/tracking/track_state.h", "core/stereo/position.h",
-               "ui/calibration", "core/devices/gamepad.h", "core/pointing/stick_law.h"})},
+               "ui/calibration", "ui/experiments", "core/devices/gamepad.h",
+               "core/pointing/stick_law.h"})},
         // The guided session's window: the session is core/calibration's.
         {"ui/calibration",
          with(with(camera, image), {"core/calibration", "core/vsystem/snapshot.h", "ui"})},
+        // The experiments' forms: what they find is core/stereo's and core/pointing's.
+        {"ui/experiments",
+         with(with(camera, image),
+              {"core/stereo", "core/pointing", "core/calibration", "core/vsystem/snapshot.h",
+               "core/vsystem/command.h", "core/vsystem/head_view.h", "ui", "ui/calibration"})},
     };
     return table;
 }
 
-// core/base/result.h -> core/base; ui/video/view.h -> ui; app/cli/x.h -> app. One folder of ui may
+// core/base/result.h -> core/base; ui/video/view.h -> ui; app/cli/x.h -> app. Two folders of ui may
 // include more than the others: ui/calibration/x.h -> ui/calibration.
 std::string room_of(const std::string& path) {
     const auto first = path.find('/');
     const std::string top = path.substr(0, first);
-    if (path.starts_with("ui/calibration/")) {
-        return "ui/calibration";
+    for (const char* room : {"ui/calibration", "ui/experiments"}) {
+        if (path.starts_with(std::string(room) + "/")) {
+            return room;
+        }
     }
     if (top != "core" && top != "hardware") {
         return top;

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "app/kambara/calibration_ports.h"
+#include "app/kambara/experiment_ports.h"
 #include "app/kambara/open_system.h"
 #include "ui/scene3d/gl_probe.h"
 
@@ -26,6 +27,7 @@ ui::WindowOptions WindowPage::simulated(bool with_gl) {
     options.with_gl = with_gl && ui::can_draw_with_gl();
     options.keep_layout = false;
     options.calibration = calibration_ports();
+    options.experiments = experiment_ports();
     options.first.left = "sim:default";
     options.simulation.left = "sim:default";
     return options;

@@ -21,6 +21,7 @@
 #include "ui/plots/plots_panel.h"
 #include "ui/scene3d/scene_view.h"
 #include "ui/shell/about_dialog.h"
+#include "ui/shell/assistants.h"
 #include "ui/shell/event_log.h"
 #include "ui/shell/open_recording_dialog.h"
 #include "ui/shell/playback_bar.h"
@@ -82,6 +83,7 @@ MainWindow::MainWindow(SystemOpener opener, const WindowOptions& options, QWidge
     build_docks();
     build_menus();
     build_tools();
+    build_assistants();
     connect_actions();
     connect_head();
     connect_link();
@@ -200,6 +202,8 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
     if (calibration_ != nullptr) {
         calibration_->set_source(rig, link_->hand(), !recording_);
     }
+    track_->set_rig(rig);
+    assistants_->set_source(rig, link_->stations(), link_->hand(), !recording_);
     if (recording_) {
         RecentRecordings::remember(request);
         fill_recent();
@@ -218,6 +222,7 @@ void MainWindow::show_snapshot(const SnapshotPtr& snapshot) {
     if (calibration_ != nullptr && calibration_->isVisible()) {
         calibration_->show_snapshot(snapshot);
     }
+    assistants_->show_snapshot(snapshot);
     if (first) {
         show_numbers();  // what can be done now should be possible at once
     }
@@ -298,6 +303,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!assistants_->may_close()) {
+        event->ignore();
+        return;
+    }
     if (options_.keep_layout) {
         save_layout(*this);
     }

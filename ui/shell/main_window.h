@@ -14,6 +14,7 @@ class QMenu;
 
 namespace kambara::ui {
 
+class Assistants;
 class CalibrationWindow;
 class CorrelationMapView;
 class EventLog;
@@ -36,6 +37,7 @@ struct WindowOptions {
     CalibrationPorts calibration = {};
     /// Null where there is no way to one.
     std::shared_ptr<const GamepadBase> gamepad = nullptr;
+    ExperimentPorts experiments = {};
 };
 
 /// twoView's successor: live views, target, map, 3-D view, plots, head and events in one window.
@@ -63,6 +65,7 @@ class MainWindow : public QMainWindow {
     void build_tools();
     void connect_actions();
     void connect_link();
+    void build_assistants();
     QDockWidget* add_dock(QWidget* part, const QString& title, const char* object_name,
                           Qt::DockWidgetArea area);
     void lay_out();
@@ -95,6 +98,7 @@ class MainWindow : public QMainWindow {
     EventLog* events_ = nullptr;
     StatusFields* status_ = nullptr;
     CalibrationWindow* calibration_ = nullptr;
+    Assistants* assistants_ = nullptr;
     Rig rig_;
     QMenu* recent_ = nullptr;
     QList<QDockWidget*> docks_;

@@ -15,6 +15,7 @@
 #include "ui/devices/pan_tilt_panel.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/scene3d/scene_view.h"
+#include "ui/shell/assistants.h"
 #include "ui/shell/event_log.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/playback_bar.h"
@@ -146,6 +147,26 @@ void MainWindow::build_tools() {
     tools->addActions({actions_->steer, actions_->home, actions_->halt});
 }
 
+void MainWindow::build_assistants() {
+    assistants_ = new Assistants(options_.experiments, this);
+    connect(actions_->level, &QAction::triggered, assistants_, &Assistants::show_levelling);
+    connect(actions_->range_experiment, &QAction::triggered, assistants_,
+            &Assistants::show_range_experiment);
+    connect(actions_->calibrate_head, &QAction::triggered, assistants_,
+            &Assistants::show_head_calibration);
+    connect(assistants_, &Assistants::simulation_asked, this, [this](const QString& source) {
+        SourceRequest request;
+        request.left = source.toStdString();
+        open(request);
+    });
+    connect(assistants_, &Assistants::command_asked, this,
+            [this](const Command& command) { link_->send(command); });
+    connect(assistants_, &Assistants::mount_found, this, [this](const Mount& mount) {
+        rig_.mount = mount;
+        track_->set_rig(rig_);
+    });
+}
+
 void MainWindow::build_menus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     file->addAction(actions_->open_recording);
@@ -167,6 +188,7 @@ void MainWindow::build_menus() {
                         actions_->update_template, actions_->clear});
     add(tr("&Head"), {actions_->steer, actions_->home, actions_->reset_head, actions_->halt});
     add(tr("&Calibration"), {actions_->calibrate});
+    add(tr("Tool&s"), {actions_->level, actions_->range_experiment, actions_->calibrate_head});
     QMenu* view = add(tr("&View"), {actions_->stretch_map});
     view->addSeparator();
     for (QDockWidget* dock : docks_) {

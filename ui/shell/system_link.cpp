@@ -71,8 +71,10 @@ void SystemLink::open(const SourceRequest& request) {
         system_ = std::move(system->system);
         newest_.try_take();
         // Nothing of the new system comes before the window knows of it.
-        on_window([this, request, rig = system_->rig(), hand = system->hand] {
+        on_window([this, request, rig = system_->rig(), hand = system->hand,
+                   stations = system->stations] {
             hand_ = hand;
+            stations_ = stations;
             emit opened(request, rig);
             enqueue([this] { watch(); });
         });

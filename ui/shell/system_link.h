@@ -18,6 +18,7 @@
 #include "core/base/latest_value.h"
 #include "core/vsystem/vsystem_interface.h"
 #include "ui/calibration/calibration_ports.h"
+#include "ui/experiments/experiment_ports.h"
 
 namespace kambara::ui {
 
@@ -30,10 +31,12 @@ struct SourceRequest {
     bool operator==(const SourceRequest&) const = default;
 };
 
-/// A vision system that runs, and the hand that holds its target where that is simulated.
+/// A vision system that runs; the hand that holds its target, or the known places that it goes to,
+/// where that is simulated.
 struct OpenedSystem {
     std::unique_ptr<VsystemInterface> system;
     TargetHand hand;
+    SimulatedStations stations = {};
 };
 
 /// Opens a vision system; may take its time. Given by the program, which knows the devices.
@@ -59,6 +62,7 @@ class SystemLink : public QObject {
     bool busy() const { return under_way_ > 0; }
     /// Of the system that was opened last.
     const TargetHand& hand() const { return hand_; }
+    const SimulatedStations& stations() const { return stations_; }
 
   signals:
     void snapshot_came(const kambara::SnapshotPtr& snapshot);
@@ -85,6 +89,7 @@ class SystemLink : public QObject {
     std::atomic<int> generation_ = 0;
     int under_way_ = 0;  // the window's thread alone
     TargetHand hand_;    // likewise
+    SimulatedStations stations_;
     std::mutex mutex_;
     std::condition_variable_any arrived_;
     std::deque<std::function<void()>> work_;

@@ -49,6 +49,13 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
     stop->setShortcutContext(Qt::ApplicationShortcut);
     calibrate = make(tr("&Calibrate\u2026"), QStringLiteral("Ctrl+K"),
                      tr("Calibrates the cameras, step by step"), "calibrate");
+    level = make(tr("&Levelling\u2026"), QStringLiteral("Ctrl+L"),
+                 tr("Finds the angle in which the rig is mounted"), "level");
+    range_experiment = make(tr("&Range experiment\u2026"), QStringLiteral("Ctrl+E"),
+                            tr("Holds measured positions against known places"), "rangeExperiment");
+    calibrate_head =
+        make(tr("&Head calibration\u2026"), QStringLiteral("Ctrl+J"),
+             tr("Finds the pan-tilt head's axes, lever arms and backlash"), "calibrateHead");
     stretch_map = make(tr("&Stretch map contrast"), QStringLiteral("M"),
                        tr("Spreads the map's colours over the values it holds"), "stretchMap");
     stretch_map->setCheckable(true);
@@ -116,6 +123,9 @@ void WindowActions::update(const Snapshot* snapshot, bool recording) {
     steer->setChecked(has_head && snapshot->head->automatic);
     allow(calibrate,
           unless(!over, tr("The source is over: there are no pictures to calibrate from.")));
+    for (QAction* assistant : {level, range_experiment, calibrate_head}) {
+        allow(assistant, nothing);
+    }
     allow(home, unless(has_head, no_head));
     allow(halt, unless(has_head, no_head));
     allow(reset_head, unless(has_head && snapshot->head->abilities.reset,

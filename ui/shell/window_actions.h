@@ -35,6 +35,9 @@ class WindowActions : public QObject {
     QAction* halt;
     QAction* reset_head;
     QAction* calibrate;
+    QAction* level;
+    QAction* range_experiment;
+    QAction* calibrate_head;
     QAction* stretch_map;
     QAction* default_layout;
     QAction* about;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The range experiment's form: typed and read places, and the simulated stations by themselves.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QFile>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/ui/form_page.h"
+#include "ui/experiments/place_table.h"
+#include "ui/experiments/range_window.h"
+
+namespace kambara {
+namespace {
+
+using testing_support::FormPage;
+using testing_support::WindowPage;
+
+void write(const QString& path, const char* text) {
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+}
+
+QString read(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+TEST(RangeExperimentInTheWindow, GoesByItselfOnTheSimulatedStations) {
+    QTemporaryDir folder;
+    WindowPage page(WindowPage::simulated(false), "stations");
+    ASSERT_TRUE(page.until_picture());
+    FormPage form(page, "rangeExperiment", "rangeWindow");
+    EXPECT_TRUE(form.shows("rangeEmpty"));
+    EXPECT_FALSE(form.can_press("measurePlace"));
+    form.take("range_empty");
+    form.press("simulateStations");
+    auto& table = form.part<ui::PlaceTable>("placeTable");
+    ASSERT_TRUE(WindowPage::until([&] { return table.measured() >= 6; }, 40))
+        << form.said().toStdString();
+    form.take("range_running");
+    EXPECT_TRUE(form.text("rangeLive").contains("estimate less truth"));
+    form.press("simulateStations");  // now Stop
+    auto& tabs = form.part<QTabWidget>("rangeTabs");
+    ASSERT_TRUE(WindowPage::until([&] { return tabs.currentIndex() == 1; }));
+    form.take("range_result");
+    EXPECT_TRUE(form.text("rangeVerdict").startsWith("Good"))
+        << form.text("rangeVerdict").toStdString();
+    EXPECT_FALSE(form.window().unsaved().isEmpty());
+    form.type("saveRangeTableFile", folder.filePath("table.csv"));
+    form.press("saveRangeTable");
+    ASSERT_TRUE(WindowPage::until([&] { return form.said().contains("table.csv"); }));
+    form.type("saveRangePageFile", folder.filePath("page.html"));
+    form.press("saveRangePage");
+    ASSERT_TRUE(WindowPage::until([&] { return form.said().contains("page.html"); }));
+    EXPECT_TRUE(form.window().unsaved().isEmpty());
+    EXPECT_EQ(read(folder.filePath("table.csv")).count('\n'), 1 + table.measured());
+    EXPECT_TRUE(read(folder.filePath("page.html")).contains("Range error against depth z"));
+}
+
+TEST(RangeExperimentInTheWindow, PlacesAreReadTypedMeasuredAndNotLostUnasked) {
+    QTemporaryDir folder;
+    ui::WindowOptions options = WindowPage::simulated(false);
+    options.first.left = "sim:default";
+    WindowPage page(options);
+    ASSERT_TRUE(page.until_picture());
+    FormPage form(page, "rangeExperiment", "rangeWindow");
+    auto& table = form.part<ui::PlaceTable>("placeTable");
+    form.window().show();
+    auto* range = qobject_cast<ui::RangeWindow*>(&form.window());
+    ASSERT_NE(range, nullptr);
+    write(folder.filePath("bad.csv"), "x_mm,y_mm,z_mm\n1,two,3\n");
+    range->load(folder.filePath("bad.csv"));
+    ASSERT_TRUE(WindowPage::until([&] { return form.said().contains("Line 2"); }));
+    write(folder.filePath("places.csv"), "x_mm,y_mm,z_mm\n100,150,1950\n");
+    range->load(folder.filePath("places.csv"));
+    ASSERT_TRUE(WindowPage::until([&] { return table.rowCount() == 1; }));
+    EXPECT_EQ(table.known_mm(0), Eigen::Vector3d(100, 150, 1950));
+    form.press("addPlace");
+    ASSERT_EQ(table.rowCount(), 2);
+    EXPECT_FALSE(form.can_press("measurePlace"));
+    for (const char* number : {"200", "150.5", "2000"}) {
+        QTest::keyClicks(&table, QLatin1String(number));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
+    EXPECT_EQ(table.known_mm(1), Eigen::Vector3d(200, 150.5, 2000));
+    table.setCurrentCell(0, 0);
+    ASSERT_TRUE(form.can_press("measurePlace"));
+    form.press("measurePlace");
+    EXPECT_TRUE(form.text("rangeLive").contains("waiting"));
+    page.drag(page.target());
+    ASSERT_TRUE(WindowPage::until([&] { return table.measured() == 1; }, 30));
+    EXPECT_EQ(table.readings(0).size(), 30U);
+    EXPECT_EQ(table.currentRow(), 1);
+    form.take("range_places");
+    form.press("judgePlaces");
+    auto& tabs = form.part<QTabWidget>("rangeTabs");
+    ASSERT_TRUE(WindowPage::until([&] { return tabs.currentIndex() == 1; }));
+    EXPECT_TRUE(form.said().contains("took no part")) << form.said().toStdString();
+    FormPage::answer("unsavedQuestion", "Keep it");
+    form.window().close();
+    EXPECT_TRUE(form.window().isVisible());
+    FormPage::answer("unsavedQuestion", "Keep it");
+    page.window().close();
+    EXPECT_TRUE(page.window().isVisible());
+    FormPage::answer("unsavedQuestion", "Close without saving");
+    form.window().close();
+    EXPECT_FALSE(form.window().isVisible());
+}
+
+}  // namespace
+}  // namespace kambara

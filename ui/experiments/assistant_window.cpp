@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiments/assistant_window.h"
+
+#include <QCloseEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "ui/base/core_text.h"
+#include "ui/base/theme.h"
+
+namespace kambara::ui {
+
+QLabel* sentence_label(const QString& object_name, QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(object_name);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+AssistantWindow::AssistantWindow(const QString& object_name, const QString& title, QWidget* parent)
+    : QWidget(parent, Qt::Window), said_(sentence_label(QStringLiteral("said"), this)) {
+    setObjectName(object_name);
+    setWindowTitle(title);
+    // Kept free, so that nothing jumps when a sentence comes or goes.
+    said_->setMinimumHeight(2 * said_->fontMetrics().lineSpacing());
+    said_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void AssistantWindow::say(const QString& text, const QColor& colour) {
+    said_->setStyleSheet(QStringLiteral("color: %1").arg(colour.name()));
+    said_->setText(text);
+}
+
+void AssistantWindow::say(const QString& text) {
+    say(text, theme::text);
+}
+
+void AssistantWindow::say_done(const QString& text) {
+    say(text, theme::good);
+}
+
+void AssistantWindow::say_failure(const QString& text) {
+    say(text, theme::bad);
+}
+
+void AssistantWindow::say_failure(const Error& error) {
+    say_failure(translated(error));
+}
+
+bool AssistantWindow::may_close() {
+    return may_drop(tr("Close without saving"));
+}
+
+bool AssistantWindow::may_drop(const QString& button) {
+    const QString lost = unsaved();
+    if (lost.isEmpty()) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Warning, windowTitle(), lost, QMessageBox::NoButton, this);
+    box.setObjectName(QStringLiteral("unsavedQuestion"));
+    QPushButton* stay = box.addButton(tr("Keep it"), QMessageBox::RejectRole);
+    QPushButton* drop = box.addButton(button, QMessageBox::DestructiveRole);
+    box.setDefaultButton(stay);
+    box.setEscapeButton(stay);
+    box.exec();
+    return box.clickedButton() == drop;
+}
+
+void AssistantWindow::closeEvent(QCloseEvent* event) {
+    if (!may_close()) {
+        event->ignore();
+        return;
+    }
+    leave();
+    QWidget::closeEvent(event);
+}
+
+}  // namespace kambara::ui

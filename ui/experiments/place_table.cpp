@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiments/place_table.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/base/theme.h"
+
+namespace kambara::ui {
+namespace {
+
+enum Column {
+    known_x,
+    known_y,
+    known_z,
+    count,
+    measured_x,
+    measured_y,
+    measured_z,
+    off,
+    off_range,
+    columns
+};
+
+std::optional<double> number_in(const QTableWidgetItem* item) {
+    if (item == nullptr) {
+        return std::nullopt;
+    }
+    bool is_number = false;
+    const QString text = item->text().trimmed();
+    double value = QLocale().toDouble(text, &is_number);
+    if (!is_number) {
+        value = QLocale::c().toDouble(text, &is_number);
+    }
+    return is_number && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+PlaceTable::PlaceTable(QWidget* parent) : QTableWidget(0, columns, parent) {
+    setHorizontalHeaderLabels({tr("x mm"), tr("y mm"), tr("z mm"), tr("readings"),
+                               tr("measured x mm"), tr("y mm"), tr("z mm"), tr("off mm"),
+                               tr("range error %")});
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setMinimumSectionSize(60);
+    setSelectionBehavior(QAbstractItemView::SelectItems);
+    setTabKeyNavigation(false);
+    setAccessibleName(tr("Known places"));
+    connect(this, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
+        if (!filling_ && item->column() <= known_z) {
+            mark(item);
+            emit known_changed();
+        }
+    });
+}
+
+void PlaceTable::mark(QTableWidgetItem* item) {
+    const bool fine = item->text().trimmed().isEmpty() || number_in(item);
+    filling_ = true;
+    item->setForeground(fine ? theme::text : theme::bad);
+    item->setToolTip(fine ? QString() : tr("This is no number. Write a length in mm."));
+    filling_ = false;
+}
+
+void PlaceTable::set_cell(int row, int column, const QString& text) {
+    filling_ = true;
+    if (item(row, column) == nullptr) {
+        auto* made = new QTableWidgetItem;
+        made->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        if (column > known_z) {
+            made->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+        }
+        setItem(row, column, made);
+    }
+    item(row, column)->setText(text);
+    filling_ = false;
+}
+
+int PlaceTable::add_place(const std::optional<Eigen::Vector3d>& known) {
+    const int row = rowCount();
+    insertRow(row);
+    readings_.emplace_back();
+    for (int column = 0; column < columns; ++column) {
+        QString text;
+        if (known && column <= known_z) {
+            // As many decimals as the number has, within what a tape tells.
+            const double value = (*known)[column];
+            const bool tenths = std::abs(10.0 * value - std::round(10.0 * value)) < 1e-6;
+            text = QLocale().toString(value, 'f', tenths ? 1 : 4);
+        }
+        set_cell(row, column, text);
+    }
+    emit known_changed();
+    return row;
+}
+
+void PlaceTable::remove_chosen() {
+    const int row = currentRow();
+    if (row >= 0) {
+        removeRow(row);
+        readings_.erase(readings_.begin() + row);
+        emit known_changed();
+    }
+}
+
+void PlaceTable::remove_all() {
+    setRowCount(0);
+    readings_.clear();
+    emit known_changed();
+}
+
+std::optional<Eigen::Vector3d> PlaceTable::known_mm(int row) const {
+    const auto at_x = number_in(item(row, known_x));
+    const auto at_y = number_in(item(row, known_y));
+    const auto at_z = number_in(item(row, known_z));
+    return at_x && at_y && at_z ? std::optional(Eigen::Vector3d(*at_x, *at_y, *at_z))
+                                : std::nullopt;
+}
+
+const std::vector<Eigen::Vector3d>& PlaceTable::readings(int row) const {
+    return readings_.at(static_cast<std::size_t>(row));
+}
+
+void PlaceTable::set_readings(int row, std::vector<Eigen::Vector3d> readings_in_left_mm) {
+    auto& readings = readings_.at(static_cast<std::size_t>(row));
+    readings = std::move(readings_in_left_mm);
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& one : readings) {
+        mean += one / static_cast<double>(readings.size());
+    }
+    set_cell(row, count,
+             readings.empty() ? QString()
+                              : QLocale().toString(static_cast<qulonglong>(readings.size())));
+    for (int axis = 0; axis < 3; ++axis) {
+        set_cell(row, measured_x + axis,
+                 readings.empty() ? QString() : QLocale().toString(mean[axis], 'f', 1));
+    }
+}
+
+void PlaceTable::show_difference(int row, const std::optional<Difference>& difference) {
+    set_cell(row, off,
+             difference ? QLocale().toString(difference->off_mm.norm(), 'f', 2) : QString());
+    set_cell(row, off_range,
+             difference ? QLocale().toString(difference->range_pct, 'f', 3) : QString());
+}
+
+int PlaceTable::measured() const {
+    return static_cast<int>(std::count_if(readings_.begin(), readings_.end(),
+                                          [](const auto& readings) { return !readings.empty(); }));
+}
+
+int PlaceTable::next_to_measure(int row) const {
+    for (int i = 1; i <= rowCount(); ++i) {
+        const int other = (row + i) % rowCount();
+        if (readings(other).empty()) {
+            return other;
+        }
+    }
+    return -1;
+}
+
+void PlaceTable::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Delete && state() != QAbstractItemView::EditingState) {
+        remove_chosen();
+        return;
+    }
+    QTableWidget::keyPressEvent(event);
+}
+
+}  // namespace kambara::ui

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiments/range_result.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "ui/base/quantities.h"
+#include "ui/base/theme.h"
+#include "ui/experiments/assistant_window.h"
+
+namespace kambara::ui {
+namespace {
+
+bool within_1999(const RangeErrors& errors) {
+    return errors.mean_range_pct <= mean_range_error_1999_pct &&
+           errors.worst_range_pct <= worst_range_error_1999_pct;
+}
+
+}  // namespace
+
+RangeResult::RangeResult(QWidget* parent)
+    : QWidget(parent),
+      verdict_(new QLabel(this)),
+      sentence_(sentence_label(QStringLiteral("rangeSentence"), this)),
+      numbers_(new QTableWidget(2, 7, this)),
+      column_(new QVBoxLayout(this)) {
+    verdict_->setObjectName(QStringLiteral("rangeVerdict"));
+    verdict_->setMargin(8);
+    verdict_->setWordWrap(true);
+    QFont large = font();
+    large.setPointSizeF(1.3 * large.pointSizeF());
+    verdict_->setFont(large);
+    numbers_->setObjectName(QStringLiteral("rangeNumbers"));
+    numbers_->setHorizontalHeaderLabels({tr("baseline"), tr("range, mean"), tr("range, worst"),
+                                         tr("depth, mean"), tr("depth, worst"),
+                                         tr("position, mean"), tr("position, worst")});
+    numbers_->setVerticalHeaderLabels({tr("before"), tr("after")});
+    numbers_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    numbers_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    numbers_->setFixedHeight(4 * numbers_->verticalHeader()->defaultSectionSize());
+    numbers_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    column_->addWidget(verdict_);
+    column_->addWidget(sentence_);
+    column_->addWidget(numbers_);
+}
+
+void RangeResult::show_experiment(const RangeExperiment& experiment, double baseline_mm) {
+    const auto percents = [](double value) { return percent(0.01 * value, 3); };
+    const auto fill = [&](int row, double baseline, const RangeErrors& errors) {
+        const QString cells[] = {millimetres(baseline, 2),
+                                 percents(errors.mean_range_pct),
+                                 percents(errors.worst_range_pct),
+                                 percents(errors.mean_depth_pct),
+                                 percents(errors.worst_depth_pct),
+                                 millimetres(errors.mean_position_mm, 2),
+                                 millimetres(errors.worst_position_mm, 2)};
+        int column = 0;
+        for (const QString& cell : cells) {
+            auto* item = new QTableWidgetItem(cell);
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            numbers_->setItem(row, column++, item);
+        }
+    };
+    fill(0, baseline_mm, experiment.before);
+    fill(1, experiment.corrected_baseline_mm, experiment.after);
+    const bool good = within_1999(experiment.before);
+    const bool mended = within_1999(experiment.after);
+    const RangeErrors& told = good ? experiment.before : experiment.after;
+    const QString numbers = tr("range error %1 in the mean, %2 at worst")
+                                .arg(percents(told.mean_range_pct), percents(told.worst_range_pct));
+    verdict_->setText(good     ? tr("Good without any correction: %1").arg(numbers)
+                      : mended ? tr("Good after the correction of the baseline: %1").arg(numbers)
+                               : tr("Not good, even after the correction: %1").arg(numbers));
+    const QColor colour = good ? theme::good : mended ? theme::caution : theme::bad;
+    verdict_->setStyleSheet(QStringLiteral("background: %1; color: black").arg(colour.name()));
+    QString text = tr("%n place(s). Good is what 1999 reached with a corrected baseline: %1 in the "
+                      "mean, %2 at worst.",
+                      nullptr, static_cast<int>(experiment.before.stations.size()))
+                       .arg(percent(0.01 * mean_range_error_1999_pct, 2),
+                            percent(0.01 * worst_range_error_1999_pct, 2));
+    text += QLatin1Char(' ') +
+            (experiment.corrected_baseline_sigma_mm > 0.0
+                 ? tr("The corrected baseline is the one that suits these places best, \u00B1 %1: "
+                      "what is left after it says nothing of scale.")
+                       .arg(millimetres(experiment.corrected_baseline_sigma_mm, 2))
+                 : tr("The corrected baseline was measured by other means, or rests on one place "
+                      "alone."));
+    sentence_->setText(text);
+    delete plots_;
+    plots_ = range_plots(experiment, this);
+    column_->addWidget(plots_, 1);
+}
+
+}  // namespace kambara::ui
