@@ -22,6 +22,7 @@ double table_log_step() {
 
 std::vector<double> ranges_of_table() {
     std::vector<double> ranges;
+    ranges.reserve(table_ranges);
     for (int i = 0; i < table_ranges; ++i) {
         ranges.push_back(nearest_mm * std::exp(i * table_log_step()));
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <ranges>
 
 #include "core/base/angles.h"
 #include "hardware/simulated/camera_tilt.h"
@@ -254,9 +255,9 @@ float Scene::sheet_grey(std::size_t sheet, float across_mm, float down_mm) const
     if (marks_.empty()) {
         return pattern_->at(across_mm, down_mm);
     }
-    for (auto mark = marks_[sheet].rbegin(); mark != marks_[sheet].rend(); ++mark) {
-        if (mark->covers(across_mm, down_mm)) {
-            return mark->dark ? mark_grey : paper_grey;
+    for (const auto& mark : std::ranges::reverse_view(marks_[sheet])) {
+        if (mark.covers(across_mm, down_mm)) {
+            return mark.dark ? mark_grey : paper_grey;
         }
     }
     return sheets_[sheet].dark ? mark_grey : paper_grey;

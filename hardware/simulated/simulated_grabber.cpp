@@ -78,9 +78,9 @@ GrabberInfo info_of(const SimulatedWorld& world, const Camera& camera, const cha
 
 }  // namespace
 
-std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const SimulatedWorld> world,
-                                                    FixedCamera camera, std::int64_t start,
-                                                    const SimulatedPace& pace) {
+std::unique_ptr<GrabberBase> make_simulated_grabber(
+    const std::shared_ptr<const SimulatedWorld>& world, FixedCamera camera, std::int64_t start,
+    const SimulatedPace& pace) {
     const bool left = camera == FixedCamera::left;
     const Camera& lens = left ? world->rig().left : *world->rig().right;
     auto info = info_of(*world, lens, left ? "left" : "right", pace);
@@ -90,9 +90,9 @@ std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const Simula
     return std::make_unique<SimulatedGrabber>(world, std::move(info), std::move(draw), start, pace);
 }
 
-std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const SimulatedWorld> world,
-                                                    std::shared_ptr<PanTiltCamera> head,
-                                                    std::int64_t start, const SimulatedPace& pace) {
+std::unique_ptr<GrabberBase> make_simulated_grabber(
+    const std::shared_ptr<const SimulatedWorld>& world, std::shared_ptr<PanTiltCamera> head,
+    std::int64_t start, const SimulatedPace& pace) {
     auto info = info_of(*world, *world->rig().pan_tilt, "pan-tilt", pace);
     auto draw = [world, head = std::move(head)](std::int64_t frame) -> Result<Image> {
         const auto status = head->status();

@@ -24,13 +24,13 @@ struct SimulatedPace {
 };
 
 /// A fixed camera of the simulated rig as a real source. Its own counter starts near wrap-around.
-std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const SimulatedWorld> world,
-                                                    FixedCamera camera, std::int64_t start,
-                                                    const SimulatedPace& pace);
+std::unique_ptr<GrabberBase> make_simulated_grabber(
+    const std::shared_ptr<const SimulatedWorld>& world, FixedCamera camera, std::int64_t start,
+    const SimulatedPace& pace);
 
 /// The pan-tilt camera, drawn for where its head looks and how far it is zoomed in.
-std::unique_ptr<GrabberBase> make_simulated_grabber(std::shared_ptr<const SimulatedWorld> world,
-                                                    std::shared_ptr<PanTiltCamera> head,
-                                                    std::int64_t start, const SimulatedPace& pace);
+std::unique_ptr<GrabberBase> make_simulated_grabber(
+    const std::shared_ptr<const SimulatedWorld>& world, std::shared_ptr<PanTiltCamera> head,
+    std::int64_t start, const SimulatedPace& pace);
 
 }  // namespace kambara

@@ -49,7 +49,7 @@ std::string read(std::string_view text, bool& flag) {
 
 std::string read_metres(std::string_view text, double lowest, double highest, double& value_mm) {
     double value_m = 0.0;
-    const std::string problem = read(text, lowest, highest, value_m);
+    std::string problem = read(text, lowest, highest, value_m);
     if (problem.empty()) {
         value_mm = 1e3 * value_m;
     }
@@ -58,7 +58,7 @@ std::string read_metres(std::string_view text, double lowest, double highest, do
 
 std::string read_degrees(std::string_view text, double lowest, double highest, double& value_rad) {
     double value_deg = 0.0;
-    const std::string problem = read(text, lowest, highest, value_deg);
+    std::string problem = read(text, lowest, highest, value_deg);
     if (problem.empty()) {
         value_rad = rad_from_deg(value_deg);
     }

@@ -47,7 +47,7 @@ Eigen::Vector3d place_mm(int station) {
 
 Eigen::Vector3d place_at_mm(double time_s) {
     const auto [station, passed_s] = moment(time_s);
-    const Eigen::Vector3d from = place_mm(station);
+    Eigen::Vector3d from = place_mm(station);
     if (station == stations - 1 || passed_s <= still_s) {
         return from;
     }

@@ -30,7 +30,7 @@ EviCamera::EviCamera(std::unique_ptr<Link> link, const Clock& clock, HeadDriver:
     : link_(std::move(link)),
       name_(link_->name()),
       driver_(*link_, queue_, clock, std::move(options)),
-      thread_([this](std::stop_token stop) {
+      thread_([this](const std::stop_token& stop) {
           while (!stop.stop_requested()) {
               driver_.step();
           }

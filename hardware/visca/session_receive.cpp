@@ -115,7 +115,7 @@ bool Session::is_for_waiting(Sequence sequence) const {
 }
 
 Session::Sent Session::take_waiting(std::int64_t now_ns) {
-    const Sent sent = *std::exchange(waiting_, std::nullopt);
+    Sent sent = *std::exchange(waiting_, std::nullopt);
     unanswered_ = 0;
     heard_ns_ = now_ns;
     learn_reply_time(sent, now_ns);
