@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QSlider>
 #include <QSpinBox>
+#include <QThread>
 #include <QToolButton>
 #include <QtTest>
 #include <cmath>
@@ -118,6 +119,22 @@ TEST_F(HeadInTheWindow, TheStickTurnsItTheFasterTheFartherItIsHeld) {
     ASSERT_TRUE(page_.until([&] { return page_.shown().frame > frame + 10; }));
     EXPECT_EQ(page_.shown().head->angles, halted);
     QTest::mouseRelease(&stick, Qt::LeftButton, Qt::NoModifier, middle);
+}
+
+TEST_F(HeadInTheWindow, AWindowThatHangsLetsTheHeadGo) {
+    auto& stick = page_.part<ui::HeadStick>("headStick");
+    ASSERT_TRUE(page_.until([&] { return stick.isEnabled(); }));
+    const QPoint right = stick.rect().center() + QPoint(40, 0);
+    QTest::mousePress(&stick, Qt::LeftButton, Qt::NoModifier, right);
+    ASSERT_TRUE(page_.until([&] { return page_.shown().head->moving; }));
+    const double before_rad = page_.shown().head->angles.pan_rad;
+    QThread::msleep(1500);  // the window's thread: nothing is said for so long
+    QTest::mouseRelease(&stick, Qt::LeftButton, Qt::NoModifier, right);
+    ASSERT_TRUE(page_.until([&] { return page_.events().last_text().contains("halted"); }));
+    ASSERT_TRUE(page_.until([&] { return !page_.shown().head->moving; }));
+    // At 24 degrees a second: 36 in that time, a fifth of a second's worth and what was on its way
+    // when it was let go.
+    EXPECT_LT(deg_from_rad(page_.shown().head->angles.pan_rad - before_rad), 15.0);
 }
 
 TEST_F(HeadInTheWindow, AClickInThePanTiltPictureBringsItToTheMiddle) {

@@ -22,6 +22,7 @@ namespace kambara::ui {
 namespace {
 
 constexpr int first_speed_percent = 30;
+constexpr int most_map_height_px = 130;
 
 }  // namespace
 
@@ -43,6 +44,7 @@ PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, HandDrive* drive, QWi
     pad_->setObjectName(QStringLiteral("panTiltPad"));
     row->addWidget(stick_);
     row->addWidget(pad_, 1);
+    pad_->setMaximumHeight(most_map_height_px);
     column->addLayout(row, 1);
     angles_ = new QLabel(inside);
     angles_->setObjectName(QStringLiteral("headAngles"));
@@ -57,6 +59,7 @@ PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, HandDrive* drive, QWi
     build_speed(column);
     column->addWidget(lens_);
     build_buttons(column, actions);
+    column->addStretch();
     connect(stick_, &HeadStick::held, drive_, [this](const QPointF& deflection) {
         drive_->hold(HandDrive::Source::stick, deflection);
     });

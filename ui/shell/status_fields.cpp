@@ -30,6 +30,7 @@ QLabel* StatusFields::add(const char* object_name, const QString& help, const QS
     auto* label = new QLabel(bar_);
     label->setObjectName(QLatin1String(object_name));
     label->setToolTip(help);
+    label->setContentsMargins(4, 0, 4, 0);
     label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 8);
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     bar_->addPermanentWidget(label);
