@@ -69,6 +69,11 @@ bool HeadWorker::move_failed() const {
     return !move_fault_.empty();
 }
 
+double HeadWorker::horizontal_view_rad() const {
+    std::lock_guard lock(mutex_);
+    return horizontal_view_rad_;
+}
+
 void HeadWorker::run(std::stop_token stop) {
     while (!stop.stop_requested()) {
         std::optional<Wish> wish;
@@ -106,8 +111,10 @@ void HeadWorker::stop_moving() {
 
 void HeadWorker::poll() {
     const auto status = head_->status();
+    const auto lens = head_->lens();
     const std::int64_t now_ns = clock_.now_ns();
     std::lock_guard lock(mutex_);
+    horizontal_view_rad_ = lens ? lens->horizontal_view_rad : 0.0;
     status_fault_ = status ? std::string() : status.error().text();
     if (status) {
         status_ = *status;

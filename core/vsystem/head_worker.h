@@ -48,6 +48,8 @@ class HeadWorker {
     /// Where it looked at a time of the last second, by the clock; with inline calls, now. Empty
     /// while it does not say.
     std::optional<HeadAngles> angles_at(std::int64_t time_ns);
+    /// What its camera sees from the left to the right edge, as its lens says; 0 where it does not.
+    double horizontal_view_rad() const;
     /// What happened to the head since the last call.
     std::vector<HeadNote> take_notes() { return head_->take_notes(); }
     /// The last command was refused by the device.
@@ -76,6 +78,7 @@ class HeadWorker {
     HeadStatus status_;
     std::string move_fault_;
     std::string status_fault_;
+    double horizontal_view_rad_ = 0.0;
     struct Past {
         std::int64_t time_ns = 0;
         HeadAngles angles;
