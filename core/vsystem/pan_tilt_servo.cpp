@@ -17,6 +17,7 @@ constexpr int look_radius_px = 64;
 constexpr int pictures_between_checks = 15;
 constexpr int pictures_between_tries = 3;
 constexpr double most_magnified = 0.1;
+constexpr int largest_cut_px = 41;  // larger ones take long
 constexpr double farthest_from_look_px = 3.0;
 constexpr double assumed_range_mm = 1500.0;
 constexpr double second_ns = 1e9;
@@ -185,7 +186,7 @@ void PanTiltServo::check_by_look(const Seen& seen) {
         tracking && tracker_->estimate().left_px &&
         (*tracker_->estimate().left_px - match->pixel).norm() < farthest_from_look_px;
     if (!agrees) {
-        cut(seen.grey, about(match->pixel, match->size_px));
+        cut(seen.grey, about(match->pixel, match->size_px.cwiseMin(largest_cut_px)));
     }
 }
 
