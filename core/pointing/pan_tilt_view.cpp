@@ -39,15 +39,18 @@ Camera pan_tilt_camera_at(const Rig& rig, const HeadAngles& angles) {
     return camera;
 }
 
-Eigen::Vector2d pixel_at_calibrated_zoom(const Camera& camera, const Eigen::Vector2d& pixel,
-                                         double horizontal_view_rad) {
+double magnification(const Camera& camera, double horizontal_view_rad) {
     const double calibrated_rad = calibrated_view_rad(camera);
     if (!(horizontal_view_rad > 0.0) || !(calibrated_rad > 0.0)) {
-        return pixel;
+        return 1.0;
     }
+    return std::tan(0.5 * calibrated_rad) / std::tan(0.5 * horizontal_view_rad);
+}
+
+Eigen::Vector2d pixel_at_calibrated_zoom(const Camera& camera, const Eigen::Vector2d& pixel,
+                                         double magnified) {
     const Eigen::Vector2d middle = middle_px(camera);
-    return middle +
-           std::tan(0.5 * horizontal_view_rad) / std::tan(0.5 * calibrated_rad) * (pixel - middle);
+    return middle + (pixel - middle) / magnified;
 }
 
 std::optional<HeadAngles> angles_to_centre(const Rig& rig, const HeadAngles& angles,

@@ -12,11 +12,14 @@ namespace kambara {
 /// or by the rig's head model where there is one. The rig must have a pan-tilt camera.
 Camera pan_tilt_camera_at(const Rig& rig, const HeadAngles& angles);
 
-/// Of a picture taken at another zoom: the pixel on which the same direction would lie at the zoom
-/// that the camera was calibrated at. `horizontal_view_rad`: from the left to the right edge, by
-/// the lens's own telling.
+/// How much larger things are in its pictures than at the zoom that the camera was calibrated at,
+/// by the view from the left to the right edge that the lens tells; 1 where that is not known (0).
+double magnification(const Camera& camera, double horizontal_view_rad);
+
+/// Of a picture magnified so: the pixel on which the same direction would lie at the calibrated
+/// zoom.
 Eigen::Vector2d pixel_at_calibrated_zoom(const Camera& camera, const Eigen::Vector2d& pixel,
-                                         double horizontal_view_rad);
+                                         double magnified);
 
 /// The angles that would bring onto the optical axis what is seen at `pixel` while the head tells
 /// `angles` (visual servoing, STR-5). A wrong mount of the head in the rig file does not matter to

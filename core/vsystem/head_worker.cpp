@@ -132,6 +132,11 @@ bool HeadWorker::move_failed() const {
     return !move_fault_.empty();
 }
 
+double HeadWorker::horizontal_view_rad() const {
+    std::lock_guard lock(mutex_);
+    return lens_ ? lens_->horizontal_view_rad : 0.0;
+}
+
 void HeadWorker::run(const std::stop_token& stop) {
     const bool on_its_own = threading_ == Threading::own_thread;
     while (!stop.stop_requested()) {

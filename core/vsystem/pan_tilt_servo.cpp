@@ -16,6 +16,8 @@ namespace {
 constexpr int look_radius_px = 64;
 constexpr int pictures_between_checks = 15;
 constexpr int pictures_between_tries = 3;
+constexpr double most_magnified = 0.1;
+constexpr int largest_cut_px = 41;  // larger ones take long
 constexpr double farthest_from_look_px = 3.0;
 constexpr double assumed_range_mm = 1500.0;
 constexpr double second_ns = 1e9;
@@ -80,7 +82,7 @@ Result<Done> PanTiltServo::set_on(bool on) {
     return Done{};
 }
 
-Result<Done> PanTiltServo::select(const Frame& grey, const HeadAngles& angles,
+Result<Done> PanTiltServo::select(const Frame& grey, const HeadAngles& angles, double magnified,
                                   const Rectangle& rectangle) {
     if (!on_ || !tracker_) {
         return Error{"The pan-tilt picture is not followed.", "Switch that on first."};
@@ -100,20 +102,21 @@ Result<Done> PanTiltServo::select(const Frame& grey, const HeadAngles& angles,
     aim_.forget();
     by_hand_ = true;
     apart_ = false;
-    note_turn(angles, grey.time_ns);
+    note_turn(angles, grey.time_ns, magnified);
     last_index_ = grey.index - 1;  // this picture is followed as well
     return Done{};
 }
 
-// What the head turned since the last picture, in the camera's own axes.
-void PanTiltServo::note_turn(const HeadAngles& angles, std::int64_t time_ns) {
+// What the head turned since the last picture, in the camera's own axes; more where that moves a
+// magnified picture more.
+void PanTiltServo::note_turn(const HeadAngles& angles, std::int64_t time_ns, double magnified) {
     if (last_angles_ && time_ns > last_time_ns_) {
         const Eigen::Matrix3d R_last_from_now =
             pan_tilt_camera_at(rig_, *last_angles_).T_camera_from_rig.R *
             pan_tilt_camera_at(rig_, angles).T_camera_from_rig.R.transpose();
         const Eigen::AngleAxisd turned(R_last_from_now);
         VehicleMotion motion;
-        motion.turn_rad_s = second_ns / static_cast<double>(time_ns - last_time_ns_) *
+        motion.turn_rad_s = magnified * second_ns / static_cast<double>(time_ns - last_time_ns_) *
                             turned.angle() * turned.axis();
         motion.turn_sigma_rad_s = turn_sigma_rad_s;
         motion.velocity_sigma_mm_s = 0.0;
@@ -147,7 +150,7 @@ double PanTiltServo::range_mm(const Seen& seen) const {
 // Where the look that the stereo pair follows is seen; it shows the same point of the target.
 std::optional<PatchMatch> PanTiltServo::found_by_look(const Seen& seen) const {
     const ReferencePatch* look = seen.stereo->look();
-    if (look == nullptr || seen.horizontal_view_rad) {
+    if (look == nullptr || std::abs(seen.magnified - 1.0) > most_magnified) {
         return std::nullopt;  // at another zoom it looks too different
     }
     PatchSearchOptions search = options_.search;
@@ -183,7 +186,7 @@ void PanTiltServo::check_by_look(const Seen& seen) {
         tracking && tracker_->estimate().left_px &&
         (*tracker_->estimate().left_px - match->pixel).norm() < farthest_from_look_px;
     if (!agrees) {
-        cut(seen.grey, about(match->pixel, match->size_px));
+        cut(seen.grey, about(match->pixel, match->size_px.cwiseMin(largest_cut_px)));
     }
 }
 
@@ -204,7 +207,7 @@ void PanTiltServo::see(const Seen& seen) {
         seen.grey.picture->height() != rig_.pan_tilt->height_px) {
         return;
     }
-    note_turn(seen.angles, seen.grey.time_ns);
+    note_turn(seen.angles, seen.grey.time_ns, seen.magnified);
     if (follows()) {
         tracker_->process({seen.grey, {}});
     }
@@ -217,10 +220,8 @@ void PanTiltServo::see(const Seen& seen) {
     if (!tracking) {
         return;
     }
-    Eigen::Vector2d pixel = *estimate.left_px;
-    if (seen.horizontal_view_rad) {
-        pixel = pixel_at_calibrated_zoom(*rig_.pan_tilt, pixel, *seen.horizontal_view_rad);
-    }
+    const Eigen::Vector2d pixel =
+        pixel_at_calibrated_zoom(*rig_.pan_tilt, *estimate.left_px, seen.magnified);
     const auto wanted = angles_to_centre(rig_, seen.angles, pixel, range_mm(seen));
     if (!wanted) {
         return;

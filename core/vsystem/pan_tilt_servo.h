@@ -32,7 +32,8 @@ class PanTiltServo {
     /// Off forgets the template. An error where the rig has no pan-tilt camera.
     Result<Done> set_on(bool on);
     /// The operator's choice in a grey pan-tilt picture that was taken at the head's angles.
-    Result<Done> select(const Frame& grey, const HeadAngles& angles, const Rectangle& rectangle);
+    Result<Done> select(const Frame& grey, const HeadAngles& angles, double magnified,
+                        const Rectangle& rectangle);
 
     /// What a new picture shows. A picture seen already, or none, changes nothing but that what it
     /// said is older now. `stereo`: of the steered target while it is seen for sure; else null.
@@ -42,7 +43,7 @@ class PanTiltServo {
         const StereoTracker* stereo = nullptr;
         /// Number of the steered one, while it is followed.
         std::optional<int> target = std::nullopt;
-        std::optional<double> horizontal_view_rad = std::nullopt;  ///< of the zoom, where known
+        double magnified = 1.0;  ///< by the zoom, over what the rig file's lens gives
     };
     void see(const Seen& seen);
 
@@ -61,7 +62,7 @@ class PanTiltServo {
 
   private:
     void forget();
-    void note_turn(const HeadAngles& angles, std::int64_t time_ns);
+    void note_turn(const HeadAngles& angles, std::int64_t time_ns, double magnified);
     std::optional<PatchMatch> found_by_look(const Seen& seen) const;
     void check_by_look(const Seen& seen);
     bool cut(const Frame& grey, const Rectangle& rectangle);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/pointing/aim.h"
+#include "core/pointing/pan_tilt_view.h"
 
 namespace kambara {
 namespace {
@@ -393,6 +394,10 @@ std::optional<HeadAngles> Pipeline::angles_of_pan_tilt_picture() {
     return head_->angles_at(images_.arrived_ns + (one_clock ? after_left_ns : 0) - late_ns);
 }
 
+double Pipeline::magnified_now() const {
+    return rig_.pan_tilt ? magnification(*rig_.pan_tilt, head_->horizontal_view_rad()) : 1.0;
+}
+
 void Pipeline::look_through_head() {
     if (!servo_.on() || !head_ || !images_.pan_tilt.picture) {
         return;
@@ -409,7 +414,7 @@ void Pipeline::look_through_head() {
     const FollowedTarget* steered = targets_.steered();
     const bool followed = steered != nullptr && steered->tracker.started();
     servo_.see({pan_tilt_grey_, *angles, steered_tracker(),
-                followed ? std::optional(steered->id) : std::nullopt});
+                followed ? std::optional(steered->id) : std::nullopt, magnified_now()});
 }
 
 void Pipeline::steer() {
@@ -508,7 +513,9 @@ Result<Reply> Pipeline::select_in_pan_tilt(const SelectInPanTilt& command) {
     }
     pan_tilt_grey_ = images_.pan_tilt;
     pan_tilt_grey_.picture = grey_from(pan_tilt_grey_.picture);
-    if (const auto done = servo_.select(pan_tilt_grey_, *angles, command.rectangle); !done) {
+    if (const auto done =
+            servo_.select(pan_tilt_grey_, *angles, magnified_now(), command.rectangle);
+        !done) {
         return done.error();
     }
     look_through_head();

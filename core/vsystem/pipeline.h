@@ -71,6 +71,7 @@ class Pipeline {
     std::optional<HeadAim> wanted_aim(const StereoTracker* target);
     double age_s(std::int64_t now_ns) const;
     std::optional<HeadAngles> angles_of_pan_tilt_picture();
+    double magnified_now() const;
     void look_through_head();
     void steer();
     void publish();

@@ -41,6 +41,7 @@ class HeadDriver {
         /// While it follows something, the head turns no faster than gets it to the aim just in
         /// time, so that it does not stop and start with every aim.
         bool paces = true;
+        double make_up_s = 0.1;  ///< so long it takes to make up for what it is off by
         /// An aim that could not be told for so long is dropped: a newer one will come, unless the
         /// target is not seen any more.
         std::int64_t stale_aim_ns = 50'000'000;
@@ -108,7 +109,7 @@ class HeadDriver {
     bool send_cancel(std::int64_t now_ns);
     bool send_motion(std::int64_t now_ns);
     void take_aim(Motion& motion, std::int64_t now_ns) const;
-    std::optional<HeadAngles> pace_towards(const HeadAngles& angles, std::int64_t now_ns) const;
+    std::optional<HeadAngles> pace_towards(const Motion& motion, std::int64_t now_ns) const;
     double way_there_s() const;
     bool send_setting(std::int64_t now_ns);
     void ask(Op inquiry, std::int64_t now_ns);

@@ -146,20 +146,28 @@ void HeadDriver::take_aim(Motion& motion, std::int64_t now_ns) const {
         motion.aim->at(now_ns + static_cast<std::int64_t>(std::llround(lag_s() * 1e9)));
     motion.angles = {std::clamp(then.pan_rad, -limits.pan_rad, limits.pan_rad),
                      std::clamp(then.tilt_rad, -limits.tilt_rad, limits.tilt_rad)};
-    motion.speed_rad_s = pace_towards(motion.angles, now_ns);
+    motion.speed_rad_s = pace_towards(motion, now_ns);
 }
 
-// From where the head will be when it is told, in the time that the motors are given: where a
-// target goes on at its rate, that is its rate.
-std::optional<HeadAngles> HeadDriver::pace_towards(const HeadAngles& angles,
+// The target's own rate, and so much more or less that what the head will be off when it is told
+// is made up for a little later: made up at once, noise would jerk it. Where no rate is
+// known, at once. Towards the aim always.
+std::optional<HeadAngles> HeadDriver::pace_towards(const Motion& motion,
                                                    std::int64_t now_ns) const {
     std::lock_guard lock(mutex_);
     if (!options_.paces || !(options_.motor_lag_s > 0.0) || !estimate_.known()) {
         return std::nullopt;
     }
     const HeadAngles from = estimate_.at(now_ns + std::llround(way_there_s() * 1e9)).angles;
-    return HeadAngles{std::abs(angles.pan_rad - from.pan_rad) / options_.motor_lag_s,
-                      std::abs(angles.tilt_rad - from.tilt_rad) / options_.motor_lag_s};
+    const HeadAngles& rate = motion.aim->rate_rad_s;
+    const double make_up_s = rate == HeadAngles{} ? options_.motor_lag_s : options_.make_up_s;
+    const auto pace = [&](double to, double start, double rate_rad_s) {
+        const double way = to - start;
+        const double off = way - rate_rad_s * options_.motor_lag_s;
+        return std::max(0.0, std::copysign(1.0, way) * (rate_rad_s + off / make_up_s));
+    };
+    return HeadAngles{pace(motion.angles.pan_rad, from.pan_rad, rate.pan_rad),
+                      pace(motion.angles.tilt_rad, from.tilt_rad, rate.tilt_rad)};
 }
 
 bool HeadDriver::send_motion(std::int64_t now_ns) {

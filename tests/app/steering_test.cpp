@@ -38,9 +38,9 @@ double tracked_share(const std::string& profile) {
 }
 
 struct Shares {
-    double right = 0.0;    // of the frames: Tracking, and the position is the target's
-    double wrong = 0.0;    // Tracking something else
-    double in_field = 0.0;  // of the target's middle, in both pictures
+    double right = 0.0;       // of the frames: Tracking, and the position is the target's
+    double wrong = 0.0;       // Tracking something else
+    double in_field = 0.0;    // of the target's middle, in both pictures
     double px_a_frame = 0.0;  // the fastest that it crosses the left picture
 };
 
@@ -91,9 +91,8 @@ Shares shares_of(const std::string& profile) {
         over = snapshot->run == RunState::ended || snapshot->run == RunState::failed;
         changed.notify_all();
     });
-    for (const Command& command :
-         {Command(SelectTemplate{world->suggested_template(31), 0}), Command(StartTracking{}),
-          Command(Flow{Flow::Kind::run})}) {
+    for (const Command& command : {Command(SelectTemplate{world->suggested_template(31), 0}),
+                                   Command(StartTracking{}), Command(Flow{Flow::Kind::run})}) {
         const auto done = system.execute(command);
         EXPECT_TRUE(done.ok()) << done.error().text();
     }
@@ -105,21 +104,49 @@ Shares shares_of(const std::string& profile) {
     return shares;
 }
 
-TEST(VehicleSteeringSlow, TRY) {
-    for (const char* swing : {"0.63", "0.8"})
-    for (int likes : {0, 2, 6})
-    for (int seed : {1, 3}) {
-        const std::string profile = "default?frames=90&turn=270&swing=" + std::string(swing) + "&likes=" + std::to_string(likes) + "&seed=" + std::to_string(seed);
-        for (const char* more : {"", "&feed_delay=0.05", "&feed=0"}) {
-            const Shares s = shares_of(profile + more);
-            std::printf("%s%s: right %.3f wrong %.3f field %.3f px %.1f\n", profile.c_str(), more, s.right, s.wrong, s.in_field, s.px_a_frame);
-        }
+void print(const std::string& what, const Shares& shares) {
+    std::printf(
+        "%s: right in %.0f %% of the frames, something else tracked in %.0f %% (up to %.0f "
+        "px a frame, in both pictures in %.0f %%)\n",
+        what.c_str(), 100.0 * shares.right, 100.0 * shares.wrong, shares.px_a_frame,
+        100.0 * shares.in_field);
+}
+
+// The target's picture moves by 60 pixels a frame, since the vehicle turns, and on both sides of it
+// is one that looks the same. Where it is expected tells it from them, which only the feed says.
+TEST(VehicleSteeringSlow, AmongItsLikesATargetIsFollowedWithTheFeedAndLostWithout) {
+    for (const int seed : {1, 3}) {
+        const std::string profile =
+            "default?frames=90&likes=2&turn=280&swing=0.62&seed=" + std::to_string(seed);
+        const Shares with = shares_of(profile);
+        const Shares late = shares_of(profile + "&feed_delay=0.05");
+        const Shares without = shares_of(profile + "&feed=0");
+        print("seed " + std::to_string(seed) + ", with the feed", with);
+        print("with one 50 ms late", late);
+        print("without", without);
+        EXPECT_GE(with.px_a_frame, 58.0);
+        EXPECT_EQ(with.in_field, 1.0);
+        EXPECT_GE(with.right, 0.95);
+        EXPECT_EQ(with.wrong, 0.0);
+        EXPECT_GE(late.right, 0.95);
+        EXPECT_LE(without.right, 0.5);
     }
 }
 
-// Sixty pixels a frame at 30 frames a second: 270 degrees a second. The target even leaves the
-// picture at the end of each swing, for a fifth of the time. Without the feed the wide search copes
-// with this scene as well: that share is printed for comparison and nothing is asked of it.
+// Where nothing looks like it, the wide search copes by itself.
+TEST(VehicleSteeringSlow, ATargetWithoutLikesIsFoundWithoutTheFeedAsWell) {
+    const std::string profile = "default?frames=60&turn=280&swing=0.62";
+    const Shares with = shares_of(profile);
+    const Shares without = shares_of(profile + "&feed=0");
+    print("no likes, with the feed", with);
+    print("without", without);
+    EXPECT_GE(with.right, 0.95);
+    EXPECT_GE(without.right, 0.9);
+}
+
+// Here the target leaves the picture at the end of each swing, for a fifth of the time. Without the
+// feed the wide search copes with this scene as well: that share is printed for comparison and
+// nothing is asked of it.
 TEST(VehicleSteeringSlow, ATurningVehiclesTargetIsFollowedWithAFeedThatIsNoisyAndLate) {
     for (const int seed : {1, 3}) {
         const std::string profile =
@@ -134,10 +161,6 @@ TEST(VehicleSteeringSlow, ATurningVehiclesTargetIsFollowedWithAFeedThatIsNoisyAn
         EXPECT_GE(with, 0.78);
         EXPECT_GE(late, 0.7);
     }
-}
-
-TEST(VehicleSteeringSlow, SwingsWithinThePictureAreFollowedAllTheWay) {
-    EXPECT_EQ(tracked_share("default?frames=90&turn=270&swing=0.63"), 1.0);
 }
 
 TEST(VehicleSteering, TheWorldTurnsAsTheFeedSays) {

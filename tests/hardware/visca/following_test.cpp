@@ -167,7 +167,7 @@ TEST(Following, TheHeadTurnsSmoothly) {
             "%.2f; each aim at full speed: %.0f, %.2f, %.2f\n",
             1e-3 * radius_mm, with.rms_acceleration_deg_s2, with.at_95_deg, with.worst_deg,
             without.rms_acceleration_deg_s2, without.at_95_deg, without.worst_deg);
-        EXPECT_LT(with.rms_acceleration_deg_s2, 0.7 * without.rms_acceleration_deg_s2) << radius_mm;
+        EXPECT_LT(with.rms_acceleration_deg_s2, 0.6 * without.rms_acceleration_deg_s2) << radius_mm;
     }
 }
 
