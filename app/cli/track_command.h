@@ -19,7 +19,7 @@ struct TrackOptions {
     int steer = 1;  ///< the number of the target that the head is steered to
     std::string measure = "zncc";
     std::string transform = "none";
-    std::string temporal;        ///< median:N or mean:N; empty: the pictures as they are
+    std::string temporal;  ///< median:N or mean:N; empty: the pictures as they are
     std::string position_method = "reprojection";  ///< or sine, midpoint, parallel
     std::string frame = "left";  ///< of the positions: left, rig, level or vehicle
     std::optional<std::filesystem::path> csv;

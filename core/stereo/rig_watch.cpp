@@ -65,8 +65,7 @@ void RigWatch::judge() {
     }
     // The matches scatter by their noise at least; by more where the picture is worse than told.
     const double scatter = std::max(median(noise), sigma_over_mad * median(apart));
-    const double independent =
-        std::max(1.0, static_cast<double>(state.matches) / options_.alike);
+    const double independent = std::max(1.0, static_cast<double>(state.matches) / options_.alike);
     const double by_noise = median_over_mean_sigma * scatter / std::sqrt(independent);
     state.sigma_px = std::hypot(by_noise, median(calibration), options_.common_sigma_px);
     state.turn_rad = std::atan(state.offset_px / focal_px_);

@@ -136,10 +136,9 @@ std::optional<RenderedPatch> refine(PatchMatch& match, const ReferencePatch& pat
             refine_match(grey, drawn->picture, drawn->inner(), pixel - drawn->centre);
         if (fitted && (fitted->position_px + drawn->centre - pixel).norm() < farthest_fit_px) {
             pixel = fitted->position_px + drawn->centre;
-            match.covariance_px2 =
-                fitted->covariance_px2 + (drawing_sigma_px * drawing_sigma_px +
-                                          options.floor_px * options.floor_px) *
-                                             Eigen::Matrix2d::Identity();
+            match.covariance_px2 = fitted->covariance_px2 + (drawing_sigma_px * drawing_sigma_px +
+                                                             options.floor_px * options.floor_px) *
+                                                                Eigen::Matrix2d::Identity();
             match.covariance_of_picture_px2 = 0.5 * fitted->covariance_px2;
         }
         const double moved = (pixel - match.pixel).norm();

@@ -51,9 +51,9 @@ struct SimulatedProfile {
     double feed_delay_s = 0.02;   ///< so late,
     double feed_turn_noise_rad_s = 0.01;     ///< with this noise on each component
     double feed_velocity_noise_mm_s = 20.0;  ///< likewise
-    double knock_s = -1.0;   ///< from then on the right camera looks down by knock_rad; <0: never
+    double knock_s = -1.0;  ///< from then on the right camera looks down by knock_rad; <0: never
     double knock_rad = 0.0;
-    std::int64_t frames = -1;                ///< the source ends after so many; -1: never
+    std::int64_t frames = -1;  ///< the source ends after so many; -1: never
     /// A calibration target shown in still poses, a second each, instead of the moving target.
     std::optional<Target> calibration_target;
     TargetPath path = TargetPath::swimming;
@@ -65,7 +65,8 @@ struct SimulatedProfile {
 /// colour, lamps, water (clear, coastal, harbour: sets veil and medium and those between, each of
 /// which may be given as well), haze, veil, forward, blur, snow, particles, step, swap, nearest,
 /// farthest, circle (m; at 0.3 m/s, 1.5 m away), turn (degrees a second), sway (m/s), swing (s),
-/// feed, feed_delay (s), feed_noise (degrees a second), knock (s), knock_deg, frames, rate, medium (air, water), target.
+/// feed, feed_delay (s), feed_noise (degrees a second), knock (s), knock_deg, frames, rate, medium
+/// (air, water), target.
 Result<SimulatedProfile> simulated_profile(std::string_view text);
 
 }  // namespace kambara

@@ -111,12 +111,11 @@ void TrackPanel::show_snapshot(const SnapshotPtr& snapshot) {
     y_->setText(with_sigma(p.y(), c(1, 1)));
     z_->setText(with_sigma(p.z(), c(2, 2)));
     const auto& by_calibration = estimate.position->calibration_covariance_mm2;
-    calibration_->setText(
-        by_calibration ? QStringLiteral("\u00B1 %1 / %2 / %3")
-                             .arg(std::sqrt((*by_calibration)(0, 0)), 0, 'f', 1)
-                             .arg(std::sqrt((*by_calibration)(1, 1)), 0, 'f', 1)
-                             .arg(millimetres(std::sqrt((*by_calibration)(2, 2))))
-                       : tr("not known"));
+    calibration_->setText(by_calibration ? QStringLiteral("\u00B1 %1 / %2 / %3")
+                                               .arg(std::sqrt((*by_calibration)(0, 0)), 0, 'f', 1)
+                                               .arg(std::sqrt((*by_calibration)(1, 1)), 0, 'f', 1)
+                                               .arg(millimetres(std::sqrt((*by_calibration)(2, 2))))
+                                         : tr("not known"));
     const Eigen::Vector3d along = p.normalized();
     range_->setText(with_sigma(p.norm(), along.dot(c * along)));
     residual_->setText(pixels(estimate.position->residual_px));
