@@ -20,7 +20,7 @@ struct TrackOptions {
     bool servo = false;  ///< the head's aim is made right by its camera's own picture (ServoHead)
     std::string measure = "zncc";
     std::string transform = "none";
-    std::string temporal;        ///< median:N or mean:N; empty: the pictures as they are
+    std::string temporal;  ///< median:N or mean:N; empty: the pictures as they are
     std::string position_method = "reprojection";  ///< or sine, midpoint, parallel
     std::string frame = "left";  ///< of the positions: left, rig, level or vehicle
     std::optional<std::filesystem::path> csv;

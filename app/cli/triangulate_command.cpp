@@ -137,13 +137,12 @@ Outcome run_triangulate(const TriangulateOptions& options) {
     PositionOptions position_options;
     position_options.method = *method;
     for (const PixelPair& pair : *pairs) {
-        rows.push_back(row_of(position_from_pair(*rig, PixelMeasurement{pair.left, covariance},
-                                                 PixelMeasurement{pair.right, covariance},
-                                                 position_options)));
+        rows.push_back(
+            row_of(position_from_pair(*rig, PixelMeasurement{pair.left, covariance},
+                                      PixelMeasurement{pair.right, covariance}, position_options)));
         outcome.summary += line_of(rows.back());
     }
-    outcome.json =
-        nlohmann::json{{"method", options.method}, {"points", std::move(rows)}}.dump(2);
+    outcome.json = nlohmann::json{{"method", options.method}, {"points", std::move(rows)}}.dump(2);
     return outcome;
 }
 

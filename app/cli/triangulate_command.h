@@ -10,8 +10,8 @@ namespace kambara::cli {
 
 struct TriangulateOptions {
     std::filesystem::path rig;
-    std::filesystem::path points;  ///< lines `xl yl xr yr`, px; # begins a comment
-    double sigma_px = 0.1;         ///< of each coordinate
+    std::filesystem::path points;         ///< lines `xl yl xr yr`, px; # begins a comment
+    double sigma_px = 0.1;                ///< of each coordinate
     std::string method = "reprojection";  ///< or sine, midpoint, parallel
 };
 

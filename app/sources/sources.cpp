@@ -88,6 +88,7 @@ Result<Sources> open_simulation(const SourceOptions& options, Clock& clock) {
     sources.world = world;
     sources.every_frame = !options.live;
     sources.parts.rig = world->rig();
+    sources.parts.rig.provenance.stereo_rms_px = 0.0;  // the simulated cameras are as told
     sources.parts.vehicle = make_simulated_feed(*profile);
     SimulatedPace pace;
     std::shared_ptr<const Clock> head_clock;

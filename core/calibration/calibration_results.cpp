@@ -141,7 +141,8 @@ Eigen::MatrixXd parameter_covariance(const Bundle& bundle, const BundleCovarianc
             Eigen::Vector3d(turn[0], turn[1], turn[2]) / (2.0 * step_rad);
     }
     by_block.block<3, 3>(left + right + 3, at + 3).setIdentity();
-    return by_block * covariance.cameras.topLeftCorner(2 * camera_parameters, 2 * camera_parameters) *
+    return by_block *
+           covariance.cameras.topLeftCorner(2 * camera_parameters, 2 * camera_parameters) *
            by_block.transpose();
 }
 

@@ -39,8 +39,7 @@ Eigen::MatrixXd scaled_covariance(const Rig& rig, int width_px, int height_px) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         const Camera& camera = names[i].starts_with("left.") ? rig.left : *rig.right;
         if (names[i].ends_with("x_px")) {
-            factors[static_cast<Eigen::Index>(i)] =
-                static_cast<double>(width_px) / camera.width_px;
+            factors[static_cast<Eigen::Index>(i)] = static_cast<double>(width_px) / camera.width_px;
         } else if (names[i].ends_with("y_px")) {
             factors[static_cast<Eigen::Index>(i)] =
                 static_cast<double>(height_px) / camera.height_px;

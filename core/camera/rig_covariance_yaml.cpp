@@ -70,8 +70,8 @@ std::string read_covariance(const YAML::Node& section, Rig& rig) {
     const auto n = static_cast<Eigen::Index>(names.size());
     Eigen::MatrixXd covariance(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        const auto row = numbers_of(rows[static_cast<std::size_t>(i)],
-                                    static_cast<std::size_t>(i) + 1);
+        const auto row =
+            numbers_of(rows[static_cast<std::size_t>(i)], static_cast<std::size_t>(i) + 1);
         if (!row || std::abs((*row)[i] - 1.0) > 1e-9 || row->cwiseAbs().maxCoeff() > 1.0 + 1e-9) {
             return "has a row of correlations that are none";
         }

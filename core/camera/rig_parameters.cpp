@@ -12,8 +12,8 @@ namespace kambara {
 namespace {
 
 constexpr int pose_parameters = 6;
-constexpr double step_share = 1e-6;          // of a parameter, or of one where it is smaller
-constexpr double rounding_of_unit = 1e-7;    // of an eigenvalue of the correlations
+constexpr double step_share = 1e-6;        // of a parameter, or of one where it is smaller
+constexpr double rounding_of_unit = 1e-7;  // of an eigenvalue of the correlations
 
 using LensNumbers = std::array<double, 12>;
 
@@ -91,8 +91,8 @@ std::vector<std::string> rig_parameter_names(const Rig& rig) {
     for (const std::string& name : lens_parameter_names(rig.right->lens)) {
         names.push_back("right." + name);
     }
-    for (const char* name : {"turn_x_rad", "turn_y_rad", "turn_z_rad", "shift_x_mm", "shift_y_mm",
-                             "shift_z_mm"}) {
+    for (const char* name :
+         {"turn_x_rad", "turn_y_rad", "turn_z_rad", "shift_x_mm", "shift_y_mm", "shift_z_mm"}) {
         names.push_back(std::string("right_from_left.") + name);
     }
     return names;
@@ -133,8 +133,7 @@ std::string covariance_fault(const Rig& rig, const Eigen::MatrixXd& covariance) 
     const Eigen::VectorXd scale = covariance.diagonal().unaryExpr(
         [](double variance) { return variance > 0.0 ? 1.0 / std::sqrt(variance) : 0.0; });
     const Eigen::MatrixXd correlations = scale.asDiagonal() * covariance * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(correlations,
-                                                              Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(correlations, Eigen::EigenvaluesOnly);
     if (n > 0 && (axes.info() != Eigen::Success ||
                   !(axes.eigenvalues().minCoeff() > -rounding_of_unit * static_cast<double>(n)))) {
         return "holds correlations that contradict each other";

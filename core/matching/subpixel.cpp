@@ -28,9 +28,9 @@ constexpr double least_texture = 1e-3;  // of a flat direction's share in the no
 Eigen::Matrix2d covariance_of(const Eigen::Matrix4d& normal, double variance, double count) {
     Eigen::Matrix4d without_noise = normal;
     const Eigen::Matrix2d slopes = normal.topLeftCorner<2, 2>();
-    const double weakest = 0.5 * slopes.trace() -
-                           std::sqrt(std::max(0.0, 0.25 * slopes.trace() * slopes.trace() -
-                                                       slopes.determinant()));
+    const double weakest =
+        0.5 * slopes.trace() -
+        std::sqrt(std::max(0.0, 0.25 * slopes.trace() * slopes.trace() - slopes.determinant()));
     const double by_noise =
         std::min(gradient_of_noise * 0.5 * variance * count, most_by_noise * weakest);
     without_noise(0, 0) -= by_noise;
@@ -113,8 +113,8 @@ std::optional<SubpixelMatch> refine_match(const Image& picture, const Image& pic
             const double variance =
                 rest / std::max(1.0, static_cast<double>(count) - 4.0) + 1.0 / 12.0;
             match.residual_grey = std::sqrt(rest / static_cast<double>(count));
-            match.covariance_px2 = covariance_of(normal, variance / (gain * gain),
-                                                 static_cast<double>(count));
+            match.covariance_px2 =
+                covariance_of(normal, variance / (gain * gain), static_cast<double>(count));
             return match;
         }
     }

@@ -22,8 +22,7 @@ constexpr double step_px = 1e-3;  // of derivatives by a pixel
 using PointByPixels = Eigen::Matrix<double, 3, 4>;
 
 bool is_covariance(const Eigen::Matrix4d& m) {
-    return m.allFinite() && m.diagonal().minCoeff() > 0.0 &&
-           m.llt().info() == Eigen::Success;
+    return m.allFinite() && m.diagonal().minCoeff() > 0.0 && m.llt().info() == Eigen::Success;
 }
 
 Error unrelated(double residual_px, double most_px) {
@@ -126,11 +125,10 @@ Result<Position> position_from_pair(const Rig& rig, const PairMeasurement& pair,
     std::optional<Eigen::Matrix4d> of_calibration_px2;
     if (by_rig) {
         of_calibration_px2 = *by_rig * *rig.parameter_covariance * by_rig->transpose();
-        result.calibration_covariance_mm2 =
-            by_pixels * *of_calibration_px2 * by_pixels.transpose();
+        result.calibration_covariance_mm2 = by_pixels * *of_calibration_px2 * by_pixels.transpose();
     }
-    result.epipolar = epipolar_offset(rig, pair, result.point_in_left_mm.norm(),
-                                      of_calibration_px2);
+    result.epipolar =
+        epipolar_offset(rig, pair, result.point_in_left_mm.norm(), of_calibration_px2);
     return result;
 }
 

@@ -38,7 +38,7 @@ struct PositionOptions {
 /// noise alone.
 struct EpipolarOffset {
     double offset_px = 0.0;
-    double noise_sigma_px = 0.0;                  ///< by the pixels' covariance
+    double noise_sigma_px = 0.0;                 ///< by the pixels' covariance
     std::optional<double> calibration_sigma_px;  ///< by the rig's; empty where that is not known
 };
 

@@ -15,6 +15,8 @@ namespace {
 constexpr double median_over_mean_sigma = 1.2533;  // of a normal distribution: sqrt(pi / 2)
 constexpr double sigma_over_mad = 1.4826;
 constexpr double restored_share = 0.5;
+// Of a calibration whose file tells neither residuals nor covariance: such as good ones leave.
+constexpr double usual_rms_px = 0.15;
 
 }  // namespace
 
@@ -23,7 +25,7 @@ RigWatch::RigWatch(const Rig& rig, RigWatchOptions options) : options_(options) 
         focal_px_ = pinhole_parameters(rig.right->lens).fy_px;
     }
     // A corner's residual, of which the epipolar curve tells one coordinate.
-    rms_of_calibration_ = rig.provenance.stereo_rms_px.value_or(0.0) / std::sqrt(2.0);
+    rms_of_calibration_ = rig.provenance.stereo_rms_px.value_or(usual_rms_px) / std::sqrt(2.0);
 }
 
 void RigWatch::reset() {
@@ -63,8 +65,7 @@ void RigWatch::judge() {
     }
     // The matches scatter by their noise at least; by more where the picture is worse than told.
     const double scatter = std::max(median(noise), sigma_over_mad * median(apart));
-    const double independent =
-        std::max(1.0, static_cast<double>(state.matches) / options_.alike);
+    const double independent = std::max(1.0, static_cast<double>(state.matches) / options_.alike);
     const double by_noise = median_over_mean_sigma * scatter / std::sqrt(independent);
     state.sigma_px = std::hypot(by_noise, median(calibration), options_.common_sigma_px);
     state.turn_rad = std::atan(state.offset_px / focal_px_);

@@ -12,8 +12,9 @@
 namespace kambara {
 
 struct RigWatchOptions {
-    double window_s = 4.0;    ///< matches older than this no longer count: a knock shows after half of it
-    int least_matches = 20;   ///< fewer say nothing
+    double window_s =
+        4.0;  ///< matches older than this no longer count: a knock shows after half of it
+    int least_matches = 20;  ///< fewer say nothing
     double suspect_sigmas = 4.0;
     /// What the matches of a picture's place may have in common all the same, px: interpolation,
     /// the patch's flatness.
@@ -48,8 +49,8 @@ class RigWatch {
   public:
     explicit RigWatch(const Rig& rig, RigWatchOptions options = {});
 
-    /// A good match's offset. Times may not run backwards; after a gap of a window or more it begins
-    /// anew.
+    /// A good match's offset. Times may not run backwards; after a gap of a window or more it
+    /// begins anew.
     void add(std::int64_t time_ns, const EpipolarOffset& epipolar);
     /// Forgets the matches and the verdict: for pictures that do not follow the last ones.
     void reset();

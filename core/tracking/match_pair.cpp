@@ -29,8 +29,8 @@ PairMeasurement pair_of(const Rig& rig, const PatchMatch& left, const PatchMatch
     pair.covariance_px2.bottomRightCorner<2, 2>() = R;
     const auto rays = right.by_other_match ? ray_pair(rig, left.pixel, right.pixel, 0.0)
                                            : Result<RayPair>(Error{});
-    const auto M = rays ? right_by_left(rig, left.pixel, rays->meeting.distance_a_mm)
-                        : std::nullopt;
+    const auto M =
+        rays ? right_by_left(rig, left.pixel, rays->meeting.distance_a_mm) : std::nullopt;
     if (!M || !(M->determinant() != 0.0)) {
         return pair;
     }

@@ -160,8 +160,7 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
         const double range_mm =
             (scope.expected_in_rig_mm - rig.left.T_camera_from_rig.centre_mm()).norm();
         const RangeBounds near_by = bounds_about(rig, options, left.pixel, range_mm);
-        best = by_left(
-            search_epipolar(patch, rig, grey, near_by, options.band_px, options.search));
+        best = by_left(search_epipolar(patch, rig, grey, near_by, options.band_px, options.search));
         if (best && best->quality >= options.good_quality) {
             return best;
         }
@@ -177,8 +176,8 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
             }
         }
     }
-    auto anywhere = by_left(
-        search_epipolar(patch, rig, grey, options.range, options.band_px, options.search));
+    auto anywhere =
+        by_left(search_epipolar(patch, rig, grey, options.range, options.band_px, options.search));
     // How it leans is found once, while all else is new as well.
     if (scope.try_slopes && !scope.range_known) {
         if (!(anywhere && is_clear(options, *anywhere))) {

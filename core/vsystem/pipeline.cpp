@@ -123,8 +123,8 @@ void Pipeline::watch_rig() {
     const bool before = moved();
     for (const FollowedTarget& target : targets_.all()) {
         const TrackEstimate& estimate = target.tracker.estimate();
-        if (estimate.frame == images_.stereo.left.index &&
-            estimate.state == TrackState::tracking && estimate.position) {
+        if (estimate.frame == images_.stereo.left.index && estimate.state == TrackState::tracking &&
+            estimate.position) {
             watch_.add(images_.stereo.left.time_ns, estimate.position->epipolar);
         }
     }

@@ -171,8 +171,7 @@ Json json_of(const RigWatchState& watch) {
 
 RigWatchState read_rig_watch(const Json& json) {
     return {get<int>(json, "matches"), get<double>(json, "offset_px"),
-            get<double>(json, "sigma_px"), get<double>(json, "turn_rad"),
-            get<bool>(json, "moved")};
+            get<double>(json, "sigma_px"), get<double>(json, "turn_rad"), get<bool>(json, "moved")};
 }
 
 Json json_of(const HeadSnapshot& head) {

@@ -52,9 +52,9 @@ struct SimulatedProfile {
     double feed_delay_s = 0.02;   ///< so late,
     double feed_turn_noise_rad_s = 0.01;     ///< with this noise on each component
     double feed_velocity_noise_mm_s = 20.0;  ///< likewise
-    double knock_s = -1.0;   ///< from then on the right camera looks down by knock_rad; <0: never
+    double knock_s = -1.0;  ///< from then on the right camera looks down by knock_rad; <0: never
     double knock_rad = 0.0;
-    std::int64_t frames = -1;                ///< the source ends after so many; -1: never
+    std::int64_t frames = -1;  ///< the source ends after so many; -1: never
     /// A calibration target shown in still poses, a second each, instead of the moving target.
     std::optional<Target> calibration_target;
     TargetPath path = TargetPath::swimming;

@@ -60,14 +60,13 @@ Image SimulatedWorld::fixed_picture(const Views<Level>& views, FixedCamera camer
     const bool left = camera == FixedCamera::left;
     const Camera& lens = left ? rig_.left : *rig_.right;
     const CameraView<Level>& view = left ? views.left : views.right;
-    const bool knocked =
-        !left && profile_.knock_s >= 0.0 && time_s(frame) >= profile_.knock_s;
+    const bool knocked = !left && profile_.knock_s >= 0.0 && time_s(frame) >= profile_.knock_s;
     RigidTransform T = T_camera_from_world(lens, frame);
     if (knocked) {
         T = RigidTransform{rotation_about_x(profile_.knock_rad), Eigen::Vector3d::Zero()} * T;
     }
-    const auto levels = vehicle_.moves() || knocked ? view.draw_turned(time_s(frame), T)
-                                                    : view.draw(time_s(frame));
+    const auto levels =
+        vehicle_.moves() || knocked ? view.draw_turned(time_s(frame), T) : view.draw(time_s(frame));
     return noise_.digitised(numbers(levels), lens.width_px, lens.height_px, Channels<Level>::count,
                             left ? 0U : 2U, frame);
 }

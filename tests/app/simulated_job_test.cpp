@@ -107,7 +107,8 @@ TEST(SimulatedJob, TellsOfAKnockWithinSecondsAndOfNoneWithoutOne) {
         if (knocked) {
             EXPECT_GT(watch["moved_frame"].get<int>(), 300);
             EXPECT_LT(watch["moved_frame"].get<int>(), 300 + 4 * 30);
-            const double down_deg = std::string(knock).find('-') == std::string::npos ? -0.05 : 0.05;
+            const double down_deg =
+                std::string(knock).find('-') == std::string::npos ? -0.05 : 0.05;
             EXPECT_NEAR(watch["turn_deg"].get<double>(), down_deg, 0.015);
             EXPECT_NE(outcome.summary.find("Check the cameras' mounts"), std::string::npos);
         }

@@ -62,9 +62,9 @@ TEST(CalibrationCoverageSlow, EllipsoidsOf95PercentHoldTheTruthThatOften) {
     how.pan_tilt = false;
     RigCalibratorOptions options = options_for(truth, false);
     options.held_out = false;
-    Place places[] = {{"centre 1 m", {225, 0, 1000}},     {"edge 1 m", {725, -330, 1000}},
-                      {"centre 2 m", {225, 0, 2000}},     {"edge 2 m", {1250, -700, 2000}},
-                      {"centre 5 m", {225, 0, 5000}},     {"edge 5 m", {2900, -1900, 5000}}};
+    Place places[] = {{"centre 1 m", {225, 0, 1000}}, {"edge 1 m", {725, -330, 1000}},
+                      {"centre 2 m", {225, 0, 2000}}, {"edge 2 m", {1250, -700, 2000}},
+                      {"centre 5 m", {225, 0, 5000}}, {"edge 5 m", {2900, -1900, 5000}}};
     constexpr int calibrations = 300;
     int done = 0;
     for (int i = 0; i < calibrations; ++i) {

@@ -88,13 +88,11 @@ TEST(CalibrationCovariance, IsKeptApartAndMatchesTheScatterOfRigsDrawnFromIt) {
             double epipolar = 0.0;
             constexpr int trials = 1500;
             for (int i = 0; i < trials; ++i) {
-                const Rig other =
-                    changed(rig, L * Eigen::VectorXd::NullaryExpr(L.rows(), [&] {
-                                     return normal(random);
-                                 }));
-                const auto found = position_from_pair(other, PixelMeasurement{point.left_px},
-                                                      PixelMeasurement{point.right_px},
-                                                      {.max_residual_px = 20.0});
+                const Rig other = changed(rig, L * Eigen::VectorXd::NullaryExpr(
+                                                       L.rows(), [&] { return normal(random); }));
+                const auto found =
+                    position_from_pair(other, PixelMeasurement{point.left_px},
+                                       PixelMeasurement{point.right_px}, {.max_residual_px = 20.0});
                 ASSERT_TRUE(found) << found.error().text();
                 EXPECT_FALSE(found->calibration_covariance_mm2);  // that rig doesn't tell
                 const Eigen::Vector3d error = found->point_in_left_mm - point.in_left_mm;
@@ -115,8 +113,8 @@ TEST(CalibrationCovariance, FollowsThePicturesSize) {
     const Rig half = scaled_to(rig, 320, 240);
     const SeenPoint point = seen(rig, {200, 50, 1500});
     const SeenPoint point_in_half = seen(half, {200, 50, 1500});
-    const auto a = position_from_pair(rig, PixelMeasurement{point.left_px},
-                                      PixelMeasurement{point.right_px});
+    const auto a =
+        position_from_pair(rig, PixelMeasurement{point.left_px}, PixelMeasurement{point.right_px});
     const auto b = position_from_pair(half, PixelMeasurement{point_in_half.left_px},
                                       PixelMeasurement{point_in_half.right_px});
     EXPECT_LT((*a->calibration_covariance_mm2 - *b->calibration_covariance_mm2).norm(),

@@ -12,8 +12,8 @@ namespace {
 
 // Two alike cameras side by side that look the same way.
 Rig parallel_rig() {
-    const Camera camera{BrownLens(390, 385, 330, 236, {-0.28, 0.09, 1e-3, -5e-4, -0.01}), 640, 480,
-                        {}};
+    const Camera camera{
+        BrownLens(390, 385, 330, 236, {-0.28, 0.09, 1e-3, -5e-4, -0.01}), 640, 480, {}};
     return rig_from_pair(camera, camera, {Eigen::Matrix3d::Identity(), {-450.0, 0.0, 0.0}});
 }
 

@@ -82,6 +82,7 @@ Snapshot full_snapshot() {
     snapshot.run = RunState::failed;
     snapshot.failure = Error{"The cause.", "The remedy."};
     snapshot.rate_hz = 29.97;
+    snapshot.rig_watch = RigWatchState{120, -0.33, 0.05, -8e-4, true};
     snapshot.processing_ms = 1.25;
     snapshot.latency_ms = 12.25;
     snapshot.frames_total = 1801;
@@ -99,6 +100,9 @@ Snapshot full_snapshot() {
     position.covariance_mm2 << 1, 0.1, 0.2, 0.1, 2, 0.3, 0.2, 0.3, 3;
     position.residual_px = 0.04;
     position.parallax_rad = 0.3;
+    position.calibration_covariance_mm2 = 2.0 * position.covariance_mm2;
+    position.method = PositionMethod::midpoint;
+    position.epipolar = {-0.3, 0.02, 0.1};
     track.estimate.position = position;
     MotionEstimate motion;
     motion.point_mm = {1.0, -2.0, 1500.0};
@@ -141,6 +145,7 @@ TEST(Serialise, ASnapshotComesBackAsItWas) {
         EXPECT_EQ(back->steered_target, snapshot.steered_target);
         EXPECT_EQ(back->frames_lost, snapshot.frames_lost);
         EXPECT_EQ(back->latency_ms, snapshot.latency_ms);
+        EXPECT_EQ(back->rig_watch, snapshot.rig_watch);
         EXPECT_EQ(back->frames_total, snapshot.frames_total);
         ASSERT_EQ(back->tracks.size(), snapshot.tracks.size());
         if (!snapshot.tracks.empty()) {
@@ -149,6 +154,13 @@ TEST(Serialise, ASnapshotComesBackAsItWas) {
             EXPECT_EQ(a.state, b.state);
             EXPECT_EQ(*a.left_px, *b.left_px);
             EXPECT_EQ(a.position->covariance_mm2, b.position->covariance_mm2);
+            EXPECT_EQ(a.position->calibration_covariance_mm2,
+                      b.position->calibration_covariance_mm2);
+            EXPECT_EQ(a.position->method, b.position->method);
+            EXPECT_EQ(a.position->epipolar.offset_px, b.position->epipolar.offset_px);
+            EXPECT_EQ(a.position->epipolar.noise_sigma_px, b.position->epipolar.noise_sigma_px);
+            EXPECT_EQ(a.position->epipolar.calibration_sigma_px,
+                      b.position->epipolar.calibration_sigma_px);
             EXPECT_EQ(a.motion->velocity_mm_s, b.motion->velocity_mm_s);
             EXPECT_EQ(a.motion->model, b.motion->model);
         }
