@@ -16,8 +16,9 @@ double stepped(double angle_rad, double steps_per_deg, double limit_rad) {
     return rad_from_deg(std::clamp(steps, -most, most) / steps_per_deg);
 }
 
+// There to the last bit, so that the head knows that it has arrived.
 double moved(double from, double to, double reach) {
-    return from + std::clamp(to - from, -reach, reach);
+    return std::abs(to - from) <= reach ? to : from + std::copysign(reach, to - from);
 }
 
 }  // namespace
