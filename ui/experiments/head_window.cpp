@@ -8,7 +8,6 @@
 #include <QTableWidget>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/camera/rig_file.h"
 #include "core/pointing/aim.h"
@@ -21,7 +20,8 @@ namespace kambara::ui {
 namespace {
 
 constexpr std::int64_t looking_ms = 20000;
-constexpr double still_rad = rad_from_deg(0.1);
+constexpr double still_rad = rad_from_deg(0.2);
+constexpr std::int64_t still_ms = 1500;
 constexpr double held_at_mm = 950.0;  // before the head's camera
 
 Eigen::Vector3d middle_of(const Target& target) {
@@ -242,9 +242,12 @@ void HeadWindow::look_for_target(const SnapshotPtr& snapshot) {
                 return;
             }
             // A target that is still being moved is somewhere else in the next pictures.
-            const auto before = std::exchange(seen_at_, *towards);
-            if (!before || std::abs(before->pan_rad - towards->pan_rad) > still_rad ||
-                std::abs(before->tilt_rad - towards->tilt_rad) > still_rad) {
+            if (!seen_at_ || std::abs(seen_at_->pan_rad - towards->pan_rad) > still_rad ||
+                std::abs(seen_at_->tilt_rad - towards->tilt_rad) > still_rad) {
+                seen_at_ = *towards;
+                since_ms_ = clock_.elapsed();
+            }
+            if (clock_.elapsed() - since_ms_ < still_ms) {
                 say(tr("The target is seen. Hold it still\u2026"));
                 return;
             }
