@@ -2573,6 +2573,10 @@ Dann bringen Sie das verfolgte Ziel an jeden Ort und messen. Der simulierte Vers
         <source>Reports (*.html)</source>
         <translation>Berichte (*.html)</translation>
     </message>
+    <message>
+        <source>Simulated places that the target was not followed to: %1.</source>
+        <translation>Simulierte Orte, an die das Ziel nicht verfolgt wurde: %1.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::ui::ResidualPlot</name>

@@ -86,7 +86,7 @@ void RangeResult::show_experiment(const RangeExperiment& experiment, double base
             (experiment.corrected_baseline_sigma_mm > 0.0
                  ? tr("The corrected baseline is the one that suits these places best, \u00B1 %1: "
                       "what is left after it says nothing of scale.")
-                       .arg(millimetres(experiment.corrected_baseline_sigma_mm, 2))
+                       .arg(millimetres(experiment.corrected_baseline_sigma_mm, 3))
                  : tr("The corrected baseline was measured by other means, or rests on one place "
                       "alone."));
     sentence_->setText(text);

@@ -49,6 +49,7 @@ void RangeWindow::connect_all() {
     connect(clear_, &QPushButton::clicked, this, [this] {
         if (may_drop(tr("Clear without saving"))) {
             table_->remove_all();
+            row_of_station_.clear();
             saved_ = true;
         }
     });
@@ -283,7 +284,9 @@ void RangeWindow::changed() {
     for (QWidget* part : std::initializer_list<QWidget*>{load_, add_, frame_}) {
         part->setEnabled(idle);
     }
-    table_->setEditTriggers(idle ? QAbstractItemView::AllEditTriggers
+    table_->setEditTriggers(idle ? QAbstractItemView::DoubleClicked |
+                                       QAbstractItemView::EditKeyPressed |
+                                       QAbstractItemView::AnyKeyPressed
                                  : QAbstractItemView::NoEditTriggers);
     remove_->setEnabled(idle && row >= 0);
     clear_->setEnabled(idle && table_->rowCount() > 0);
@@ -344,9 +347,12 @@ void RangeWindow::show_judged(const Result<RangeExperiment>& judged, double base
     tabs_->setTabEnabled(1, true);
     tabs_->setCurrentIndex(1);
     const int left_out = table_->rowCount() - table_->measured();
+    const int missed =
+        row_of_station_.empty() ? 0 : stations_.count - static_cast<int>(row_of_station_.size());
     say(left_out > 0
             ? tr("Places that took no part, since they were not measured: %1.").arg(left_out)
-            : QString());
+        : missed > 0 ? tr("Simulated places that the target was not followed to: %1.").arg(missed)
+                     : QString());
 }
 
 void RangeWindow::save(const QString& file, bool page) {
