@@ -17,7 +17,7 @@ namespace {
 using testing_support::FormPage;
 using testing_support::WindowPage;
 
-TEST(HeadCalibrationInTheWindow, GoesThroughThePositionsSolvesAndSaves) {
+TEST(HeadCalibrationInTheWindowSlow, GoesThroughThePositionsSolvesAndSaves) {
     QTemporaryDir folder;
     WindowPage page(WindowPage::simulated(false));
     ASSERT_TRUE(page.until_picture());

@@ -78,5 +78,30 @@ TEST(LevellingInTheWindow, FindsSavesAndShowsThePositionInTheVehiclesFrame) {
     form.take("levelling_saved");
 }
 
+TEST(LevellingInTheWindow, ByAWallAsksForTheRollAndTooLittleIsRefused) {
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    FormPage form(page, "level", "levellingWindow");
+    EXPECT_FALSE(form.shows("wallRoll"));
+    form.choose("levelBy", 1);
+    EXPECT_TRUE(form.shows("wallRoll"));
+    page.drag(page.target());
+    ASSERT_TRUE(page.until_state(TrackState::tracking));
+    form.press("levelRecord");
+    ASSERT_TRUE(WindowPage::until([&] { return form.number("levelCount") >= 3; }));
+    form.press("levelRecord");
+    // A few positions on a swimming path are no wall.
+    ASSERT_TRUE(WindowPage::until([&] { return form.text("levelWarning") != ""; }));
+    form.take("levelling_wall");
+    EXPECT_FALSE(form.can_press("levelSave"));
+    FormPage::answer("unsavedQuestion", "Keep it");
+    form.window().close();
+    EXPECT_TRUE(form.window().isVisible());
+    form.press("levelClear");
+    ASSERT_TRUE(WindowPage::until([&] { return form.text("levelCount") == "0"; }));
+    form.window().close();
+    EXPECT_FALSE(form.window().isVisible());
+}
+
 }  // namespace
 }  // namespace kambara

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kambara-screenshots FOLDER STATE...: the window in each state, as FOLDER/STATE.png. States:
-// simulated, recording, lost, no-gl; any other name gives the simulated one under that name.
-// screenshots.sh makes all of them, each on a screen of its own.
+// simulated, recording, lost, no-gl, and the forms by names that end in levelling, range or head;
+// any other name gives the simulated one under that name. screenshots.sh makes all of them, each on
+// a screen of its own.
 #include <QApplication>
 #include <QLocale>
 #include <QPixmap>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 
 #include "app/kambara/language.h"
+#include "tests/ui/form_page.h"
 #include "tests/ui/recorded_rig.h"
 #include "tests/ui/window_page.h"
 #include "ui/base/theme.h"
@@ -69,6 +71,15 @@ void recording(const QString& file, bool until_lost) {
     take(page, file);
 }
 
+void form(const QString& file, const char* action, const char* window_name) {
+    WindowPage page(WindowPage::simulated(false));
+    require(page.until_picture(), "no picture comes");
+    testing_support::FormPage opened(page, action, window_name);
+    settle(2);
+    require(opened.window().grab().save(file), "the screenshot can't be written");
+    std::printf("%s\n", qPrintable(file));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -87,6 +98,12 @@ int main(int argc, char** argv) {
                 QString::fromLocal8Bit(argv[1]) + QLatin1Char('/') + state + QStringLiteral(".png");
             if (state == QLatin1String("recording") || state == QLatin1String("lost")) {
                 recording(file, state == QLatin1String("lost"));
+            } else if (state.endsWith(QLatin1String("levelling"))) {
+                form(file, "level", "levellingWindow");
+            } else if (state.endsWith(QLatin1String("range"))) {
+                form(file, "rangeExperiment", "rangeWindow");
+            } else if (state.endsWith(QLatin1String("head"))) {
+                form(file, "calibrateHead", "headWindow");
             } else {
                 simulated(file, state != QLatin1String("no-gl"));
             }

@@ -12,7 +12,7 @@ on_screen() {
     xvfb-run -a -s "-screen 0 ${1}x24" "$program" "$folder" "${@:2}"
 }
 
-on_screen 1600x950 simulated recording lost no-gl
+on_screen 1600x950 simulated recording lost no-gl levelling range head
 on_screen 1024x600 small-1024x600
-KAMBARA_LANGUAGE=de on_screen 1600x950 german
+KAMBARA_LANGUAGE=de on_screen 1600x950 german german-levelling german-range german-head
 QT_SCALE_FACTOR=2 on_screen 3840x2160 large-3840x2160-at-200

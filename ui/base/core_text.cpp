@@ -197,6 +197,8 @@ std::vector<Phrase> compiled() {
     std::vector<const char*> sources(std::begin(phrases), std::end(phrases));
     const auto of_calibration = calibration_phrases();
     sources.insert(sources.end(), of_calibration.begin(), of_calibration.end());
+    const auto of_experiments = experiment_phrases();
+    sources.insert(sources.end(), of_experiments.begin(), of_experiments.end());
     std::vector<Phrase> all;
     for (const char* source : sources) {
         QString pattern = QRegularExpression::escape(QString::fromUtf8(source));

@@ -13,7 +13,9 @@ QString with_unit(double value, int decimals, const QString& unit) {
     if (!std::isfinite(value)) {
         return QStringLiteral("\u2013");
     }
-    return QLocale().toString(value, 'f', decimals) + QChar(0x202F) + unit;
+    // What rounds to nothing has no sign.
+    const bool nothing = std::abs(value) * std::pow(10.0, decimals) < 0.5;
+    return QLocale().toString(nothing ? 0.0 : value, 'f', decimals) + QChar(0x202F) + unit;
 }
 
 }  // namespace

@@ -78,36 +78,35 @@ void HeadWindow::load(const QString& file) {
         return;
     }
     say(tr("Looking for the target in the record's pictures\u2026"));
-    background_->run(
-        [read = ports_.read_head_record, path = file.toStdString(), rig = rig_, shown = *shown] {
-            return read(path, rig, shown);
-        },
-        [this, rig = rig_](const Result<HeadRecordRead>& record) {
-            if (!record) {
-                say_failure(record.error());
-                return;
-            }
-            const bool were_saved = recorded_.empty() || record_saved_;
-            if (recorded_.empty()) {
-                recorded_by_ = rig;
-            }
-            for (const HeadView& view : record->views) {
-                HeadRecorded read;
-                read.encoder = view.encoder;
-                read.approach = view.approach;
-                read.view = view;
-                add(read);
-            }
-            record_saved_ = were_saved;  // what was read is on disk
-            QString text = tr("%n view(s) read.", nullptr, static_cast<int>(record->views.size()));
-            if (!record->rejected.empty()) {
-                text += QLatin1Char(' ') + tr("%n row(s) are of no use; the first: %1", nullptr,
-                                              static_cast<int>(record->rejected.size()))
-                                               .arg(translated(record->rejected.front()));
-            }
-            say(text);
-            changed();
-        });
+    background_->run([read = ports_.read_head_record, path = file.toStdString(), rig = rig_,
+                      shown = *shown] { return read(path, rig, shown); },
+                     [this, rig = rig_](const Result<HeadRecordRead>& record) {
+                         if (!record) {
+                             say_failure(record.error());
+                             return;
+                         }
+                         const bool were_saved = recorded_.empty() || record_saved_;
+                         if (recorded_.empty()) {
+                             recorded_by_ = rig;
+                         }
+                         for (const HeadView& view : record->views) {
+                             HeadRecorded read;
+                             read.encoder = view.encoder;
+                             read.approach = view.approach;
+                             read.view = view;
+                             add(read);
+                         }
+                         record_saved_ = were_saved;  // what was read is on disk
+                         QString text = tr("Views read: %1.").arg(record->views.size());
+                         if (!record->rejected.empty()) {
+                             text +=
+                                 QLatin1Char(' ') + tr("Of no use: %1 rows; the first: %2")
+                                                        .arg(record->rejected.size())
+                                                        .arg(translated(record->rejected.front()));
+                         }
+                         say(text);
+                         changed();
+                     });
 }
 
 }  // namespace kambara::ui

@@ -150,7 +150,7 @@ void HeadWindow::show_result() {
     arm_->setText(arms.join(QLatin1Char('\n')));
     skew_->setText(degrees(model.tilt_axis_skew_rad, 3));
     const auto backlash = [](bool seen, double rad, double sigma_rad) {
-        return seen ? with_sigma(degrees(rad, 3), degrees(sigma_rad, 3))
+        return seen ? with_sigma(degrees(rad, 4), degrees(sigma_rad, 4))
                     : tr("not measured: no views from both sides");
     };
     pan_backlash_->setText(

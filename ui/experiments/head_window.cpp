@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <algorithm>
+#include <cmath>
 
 #include "core/camera/rig_file.h"
 #include "core/pointing/aim.h"
@@ -19,6 +20,8 @@ namespace kambara::ui {
 namespace {
 
 constexpr std::int64_t looking_ms = 20000;
+constexpr double still_rad = rad_from_deg(0.2);
+constexpr std::int64_t still_ms = 1500;
 constexpr double held_at_mm = 950.0;  // before the head's camera
 
 Eigen::Vector3d middle_of(const Target& target) {
@@ -176,6 +179,7 @@ void HeadWindow::stop() {
     detecting_ = false;
     sequence_.end();
     asked_.reset();
+    seen_at_.reset();
     changed();
 }
 
@@ -213,7 +217,9 @@ void HeadWindow::look_for_target(const SnapshotPtr& snapshot) {
         return;
     }
     detecting_ = true;
-    say(tr("Looking for the target in the left and the right picture\u2026"));
+    if (!seen_at_) {
+        say(tr("Looking for the target in the left and the right picture\u2026"));
+    }
     background_->run(
         [rig = rig_, shown = *shown, left = pair.left.picture,
          right = pair.right.picture]() -> Result<HeadAngles> {
@@ -235,6 +241,16 @@ void HeadWindow::look_for_target(const SnapshotPtr& snapshot) {
                 }
                 return;
             }
+            // A target that is still being moved is somewhere else in the next pictures.
+            if (!seen_at_ || std::abs(seen_at_->pan_rad - towards->pan_rad) > still_rad ||
+                std::abs(seen_at_->tilt_rad - towards->tilt_rad) > still_rad) {
+                seen_at_ = *towards;
+                since_ms_ = clock_.elapsed();
+            }
+            if (clock_.elapsed() - since_ms_ < still_ms) {
+                say(tr("The target is seen. Hold it still\u2026"));
+                return;
+            }
             auto steps = head_steps_about(*towards, HeadLimits{});
             if (steps.size() < 8) {
                 stop();
@@ -245,8 +261,8 @@ void HeadWindow::look_for_target(const SnapshotPtr& snapshot) {
             }
             sequence_.begin(std::move(steps));
             doing_ = Doing::going;
-            say(tr("The head goes to %n position(s). Keep the target still; F12 stops the head.",
-                   nullptr, static_cast<int>(sequence_.count())));
+            say(tr("The head goes to %1 positions. Keep the target still; F12 stops the head.")
+                    .arg(sequence_.count()));
         });
 }
 
@@ -288,10 +304,10 @@ void HeadWindow::go_on(const SnapshotPtr& snapshot) {
             record(snapshot, sequence_.step().approach);
             break;
         case HeadSequence::Asks::give_up:
+            say_failure(tr("The head did not get to pan %1, tilt %2 within 15 seconds. Check its "
+                           "line and that nothing blocks it, then go on.")
+                            .arg(degrees(asked_->pan_rad), degrees(asked_->tilt_rad)));
             stop();
-            say_failure(
-                tr("The head did not get to its position within 15 seconds. Check its line "
-                   "and that nothing blocks it, then go on."));
             break;
     }
 }

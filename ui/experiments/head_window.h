@@ -101,6 +101,7 @@ class HeadWindow : public AssistantWindow {
     QElapsedTimer clock_;
     std::int64_t since_ms_ = 0;
     HeadSequence sequence_;
+    std::optional<HeadAngles> seen_at_;  // the target, when it was last looked for
     std::optional<HeadAngles> asked_;
     bool taken_ = false;  // what was asked for, by the head
     std::vector<HeadRecorded> recorded_;

@@ -158,7 +158,7 @@ void HeadWindow::changed() {
     clear_->setEnabled(idle && !recorded_.empty());
     solve_->setEnabled(idle && views() >= least_views);
     solve_->setToolTip(views() >= least_views ? QString()
-                                              : tr("It takes %n view(s).", nullptr, least_views));
+                                              : tr("It takes %1 views.").arg(least_views));
     const bool any_pictures =
         std::any_of(recorded_.begin(), recorded_.end(),
                     [](const HeadRecorded& one) { return one.pictures.left != nullptr; });

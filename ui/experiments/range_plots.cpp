@@ -33,9 +33,14 @@ QCustomPlot* made_plot(const QString& x, const QString& y, QWidget* parent) {
     dress(*plot->xAxis, x);
     dress(*plot->yAxis, y);
     plot->legend->setVisible(true);
-    plot->legend->setBrush(QBrush(theme::panel));
-    plot->legend->setBorderPen(QPen(theme::line));
+    plot->legend->setBrush(Qt::NoBrush);
     plot->legend->setTextColor(theme::text);
+    // Above the plot, where it hides no point.
+    plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
+    plot->legend->setBorderPen(Qt::NoPen);
+    plot->plotLayout()->insertRow(0);
+    plot->plotLayout()->addElement(0, 0, plot->legend);
+    plot->plotLayout()->setRowStretchFactor(0, 0.001);
     return plot;
 }
 
@@ -55,7 +60,7 @@ void fit(QCustomPlot& plot) {
     plot.rescaleAxes();
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
         const QCPRange range = axis->range();
-        const double least = axis == plot.yAxis ? 0.01 : 1.0;
+        const double least = axis == plot.yAxis ? 0.01 : 25.0;
         const double room = std::max(least, 0.12 * range.size());
         axis->setRange(range.lower - room, range.upper + room);
     }

@@ -40,7 +40,8 @@ RangeResult::RangeResult(QWidget* parent)
     numbers_->setVerticalHeaderLabels({tr("before"), tr("after")});
     numbers_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     numbers_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    numbers_->setFixedHeight(4 * numbers_->verticalHeader()->defaultSectionSize());
+    numbers_->setFixedHeight(numbers_->horizontalHeader()->sizeHint().height() +
+                             2 * numbers_->verticalHeader()->defaultSectionSize() + 4);
     numbers_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     column_->addWidget(verdict_);
     column_->addWidget(sentence_);
@@ -76,16 +77,16 @@ void RangeResult::show_experiment(const RangeExperiment& experiment, double base
                                : tr("Not good, even after the correction: %1").arg(numbers));
     const QColor colour = good ? theme::good : mended ? theme::caution : theme::bad;
     verdict_->setStyleSheet(QStringLiteral("background: %1; color: black").arg(colour.name()));
-    QString text = tr("%n place(s). Good is what 1999 reached with a corrected baseline: %1 in the "
-                      "mean, %2 at worst.",
-                      nullptr, static_cast<int>(experiment.before.stations.size()))
+    QString text = tr("Places: %1. Good is what 1999 reached with a corrected baseline: %2 in the "
+                      "mean, %3 at worst.")
+                       .arg(experiment.before.stations.size())
                        .arg(percent(0.01 * mean_range_error_1999_pct, 2),
                             percent(0.01 * worst_range_error_1999_pct, 2));
     text += QLatin1Char(' ') +
             (experiment.corrected_baseline_sigma_mm > 0.0
                  ? tr("The corrected baseline is the one that suits these places best, \u00B1 %1: "
                       "what is left after it says nothing of scale.")
-                       .arg(millimetres(experiment.corrected_baseline_sigma_mm, 2))
+                       .arg(millimetres(experiment.corrected_baseline_sigma_mm, 3))
                  : tr("The corrected baseline was measured by other means, or rests on one place "
                       "alone."));
     sentence_->setText(text);

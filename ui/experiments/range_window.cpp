@@ -49,6 +49,7 @@ void RangeWindow::connect_all() {
     connect(clear_, &QPushButton::clicked, this, [this] {
         if (may_drop(tr("Clear without saving"))) {
             table_->remove_all();
+            row_of_station_.clear();
             saved_ = true;
         }
     });
@@ -86,20 +87,18 @@ void RangeWindow::set_source(const Rig& rig) {
 }
 
 void RangeWindow::load(const QString& file) {
-    background_->run(
-        [read = ports_.read_places, path = file.toStdString()] { return read(path); },
-        [this, file](const Result<std::vector<Eigen::Vector3d>>& places) {
-            if (!places) {
-                say_failure(places.error());
-                return;
-            }
-            for (const Eigen::Vector3d& place : *places) {
-                table_->add_place(place);
-            }
-            table_->setCurrentCell(std::max(0, table_->next_to_measure(-1)), 0);
-            say(tr("%n place(s) read from %1.", nullptr, static_cast<int>(places->size()))
-                    .arg(file));
-        });
+    background_->run([read = ports_.read_places, path = file.toStdString()] { return read(path); },
+                     [this, file](const Result<std::vector<Eigen::Vector3d>>& places) {
+                         if (!places) {
+                             say_failure(places.error());
+                             return;
+                         }
+                         for (const Eigen::Vector3d& place : *places) {
+                             table_->add_place(place);
+                         }
+                         table_->setCurrentCell(std::max(0, table_->next_to_measure(-1)), 0);
+                         say(tr("Places read from %1: %2.").arg(file).arg(places->size()));
+                     });
 }
 
 std::optional<Eigen::Vector3d> RangeWindow::known_in_left_mm(int row) const {
@@ -170,7 +169,7 @@ void RangeWindow::begin_run(const Snapshot& snapshot) {
     measured_by_ = rig_;
     emit command_asked(SelectTemplate{rectangle, snapshot.frame});
     emit command_asked(StartTracking{});
-    say(tr("The target goes to %n place(s) by itself, a second each.", nullptr, stations_.count));
+    say(tr("The target goes to %1 places by itself, a second each.").arg(stations_.count));
 }
 
 void RangeWindow::show_snapshot(const SnapshotPtr& snapshot) {
@@ -285,7 +284,9 @@ void RangeWindow::changed() {
     for (QWidget* part : std::initializer_list<QWidget*>{load_, add_, frame_}) {
         part->setEnabled(idle);
     }
-    table_->setEditTriggers(idle ? QAbstractItemView::AllEditTriggers
+    table_->setEditTriggers(idle ? QAbstractItemView::DoubleClicked |
+                                       QAbstractItemView::EditKeyPressed |
+                                       QAbstractItemView::AnyKeyPressed
                                  : QAbstractItemView::NoEditTriggers);
     remove_->setEnabled(idle && row >= 0);
     clear_->setEnabled(idle && table_->rowCount() > 0);
@@ -346,7 +347,11 @@ void RangeWindow::show_judged(const Result<RangeExperiment>& judged, double base
     tabs_->setTabEnabled(1, true);
     tabs_->setCurrentIndex(1);
     const int left_out = table_->rowCount() - table_->measured();
-    say(left_out > 0 ? tr("%n place(s) took no part: they were not measured.", nullptr, left_out)
+    const int missed =
+        row_of_station_.empty() ? 0 : stations_.count - static_cast<int>(row_of_station_.size());
+    say(left_out > 0
+            ? tr("Places that took no part, since they were not measured: %1.").arg(left_out)
+        : missed > 0 ? tr("Simulated places that the target was not followed to: %1.").arg(missed)
                      : QString());
 }
 

@@ -93,6 +93,18 @@ Aim aim_of(const Rig& used, const Rig& truth, double range_mm) {
     return aim;
 }
 
+TEST(HeadCalibration, AViewsResidualIsAnAngle) {
+    const Rig truth = rig_with_head();
+    auto views = views_of(truth, 0.0, true, 3);
+    EXPECT_NEAR(view_rms_rad(truth, *truth.head, views[0]).value(), 0.0, 1e-7);
+    // The camera turned to the side by half a degree sees everything that much off its middle.
+    HeadModel turned = *truth.head;
+    turned.T_camera_from_tilt.R = rotation_about_y(rad_from_deg(0.5)) * turned.T_camera_from_tilt.R;
+    const double off = view_rms_rad(truth, turned, views[7]).value();
+    EXPECT_GT(off, rad_from_deg(0.4));
+    EXPECT_LT(off, rad_from_deg(0.55));
+}
+
 TEST(HeadCalibration, PointsWithinATenthOfADegreeAtArmsLength) {
     const Rig truth = rig_with_head();
     Rig without = truth;

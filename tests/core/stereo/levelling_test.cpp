@@ -127,6 +127,42 @@ TEST(Levelling, RefusesWhatTellsNoAngle) {
     EXPECT_FALSE(level_from_vertical(lost));
 }
 
+TEST(Levelling, TheMovementIsToldWhetherOrNotItIsOfUse) {
+    EXPECT_EQ(movement_of({}).extent_mm, 0.0);
+    EXPECT_EQ(movement_of({{1, 2, 3}}).extent_mm, 0.0);
+    // 100 mm along a line, each end off it by 3 mm to the sides and by 4 mm in depth.
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i <= 10; ++i) {
+        for (const double side : {-1.0, 1.0}) {
+            points.push_back({3.0 * side, 10.0 * i, 1000.0 + 4.0 * side});
+        }
+    }
+    const Movement movement = movement_of(points);
+    EXPECT_NEAR(movement.extent_mm, 100.0, 1e-9);
+    EXPECT_NEAR(movement.off_line_rms_mm, 5.0, 1e-9);
+    EXPECT_NEAR(movement.off_plane_rms_mm, 0.0, 1e-6);
+}
+
+TEST(Levelling, ABendMayTurnALineByItsResidual) {
+    EXPECT_EQ(largest_turn_by_bending_rad(1.0, 0.0), 0.0);
+    // Along 300 mm evenly from -a to a: its RMS is a / sqrt(3), and it is turned by 2 a / 300.
+    const double a = 3.0;
+    EXPECT_NEAR(largest_turn_by_bending_rad(a / std::sqrt(3.0), 300.0), std::atan(2.0 * a / 300.0),
+                1e-12);
+}
+
+TEST(Levelling, TheRigKeepsWhatWasNotMeasured) {
+    Rig rig = nominal_rig();
+    rig.mount = Mount{0.1, 0.2, 0.3, {1, 2, 3}, 0.01, 0.02};
+    Levelling found;
+    found.mount = Mount{0.5, 0.2, 0.0, {0, 0, 0}, 0.001, std::nullopt};
+    const Mount by_wall = *with_mount(rig, found, true).mount;
+    EXPECT_EQ(by_wall, (Mount{0.5, 0.2, 0.3, {1, 2, 3}, 0.001, 0.02}));
+    EXPECT_FALSE(with_mount(rig, found, false).mount->roll_sigma_rad);
+    rig.mount.reset();
+    EXPECT_EQ(with_mount(rig, found, false).mount->heading_rad, 0.0);
+}
+
 TEST(Levelling, PositionsInEachFrame) {
     Rig rig = nominal_rig();
     EXPECT_FALSE(T_frame_from_left(rig, "level"));

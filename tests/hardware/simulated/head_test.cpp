@@ -65,6 +65,14 @@ TEST_F(SimulatedHeadTest, ComesToRestOnWholeSteps) {
     EXPECT_NEAR(deg_from_rad(rough.tilt_rad), 299 / 12.0, 1e-9) << "a step beyond the limit";
 }
 
+// From where it stands to where it is told, rounding must not keep it moving for ever.
+TEST_F(SimulatedHeadTest, KnowsThatItHasArrivedWhereverItCameFrom) {
+    for (int i = 0; i < 200; ++i) {
+        ASSERT_TRUE(head_.move_to(degrees(37 * i % 180 - 90, 11 * i % 48 - 24)).ok());
+        EXPECT_FALSE(after_s(5.0 * (i + 1)).moving) << i;
+    }
+}
+
 TEST_F(SimulatedHeadTest, RefusesWhatItCannotReachAndKeepsToWhatItWasDoing) {
     EXPECT_TRUE(head_.move_to(degrees(-100, 25)).ok());
     const double nan = std::numeric_limits<double>::quiet_NaN();
