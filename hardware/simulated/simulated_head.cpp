@@ -48,7 +48,9 @@ Result<Done> is_preset(int number) {
 double SimulatedHead::Course::at(std::int64_t time_ns) const {
     const double passed_s =
         static_cast<double>(std::max<std::int64_t>(0, time_ns - since_ns)) * 1e-9;
-    return from + std::clamp(to - from, -speed * passed_s, speed * passed_s);
+    // There to the last bit, so that the head knows that it has arrived.
+    const double reach = speed * passed_s;
+    return std::abs(to - from) <= reach ? to : from + std::copysign(reach, to - from);
 }
 
 void SimulatedHead::Course::go(double goal, double at_speed, std::int64_t now_ns) {
