@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/camera/zoom.h"
 #include "core/pointing/aim.h"
 
 namespace kambara {
@@ -54,8 +55,11 @@ Eigen::Vector2d pixel_at_calibrated_zoom(const Camera& camera, const Eigen::Vect
 }
 
 std::optional<HeadAngles> angles_to_centre(const Rig& rig, const HeadAngles& angles,
-                                           const Eigen::Vector2d& pixel, double range_mm) {
-    const auto ray = pan_tilt_camera_at(rig, angles).unproject(pixel);
+                                           const Eigen::Vector2d& pixel, double range_mm,
+                                           double magnified) {
+    Camera camera = pan_tilt_camera_at(rig, angles);
+    camera.lens = zoomed(camera.lens, magnified);
+    const auto ray = camera.unproject(pixel);
     if (!ray) {
         return std::nullopt;
     }

@@ -24,8 +24,10 @@ Eigen::Vector2d pixel_at_calibrated_zoom(const Camera& camera, const Eigen::Vect
 /// The angles that would bring onto the optical axis what is seen at `pixel` while the head tells
 /// `angles` (visual servoing, STR-5). A wrong mount of the head in the rig file does not matter to
 /// first order: it takes part in both directions. `range_mm` from the camera matters only where a
-/// head model has lever arms. Empty where no direction projects to that pixel.
+/// head model has lever arms. `magnified`: so much larger than at the calibrated zoom. Empty where
+/// no direction projects to that pixel.
 std::optional<HeadAngles> angles_to_centre(const Rig& rig, const HeadAngles& angles,
-                                           const Eigen::Vector2d& pixel, double range_mm);
+                                           const Eigen::Vector2d& pixel, double range_mm,
+                                           double magnified = 1.0);
 
 }  // namespace kambara

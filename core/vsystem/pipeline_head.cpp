@@ -6,11 +6,14 @@
 #include <string>
 
 #include "core/pointing/aim.h"
-#include "core/pointing/centring.h"
+#include "core/pointing/pan_tilt_view.h"
 #include "core/vsystem/pipeline.h"
 
 namespace kambara {
 namespace {
+
+// Only where a head model has lever arms does it matter how far away the thing is.
+constexpr double centred_range_mm = 2000.0;
 
 Error no_head() {
     return {"There is no pan-tilt head.", "Connect one, or name it when starting."};
@@ -103,9 +106,9 @@ Result<Reply> Pipeline::centre_head(const CentreHead& command) {
                      "Calibrate it with the others first."};
     }
     const auto reading = head_->reading();
-    const auto angles = centring_angles(rig_, {command.x_px, command.y_px},
-                                        command.seen_from.value_or(reading.status.angles),
-                                        reading.lens ? reading.lens->magnification() : 1.0);
+    const auto angles = angles_to_centre(rig_, command.seen_from.value_or(reading.status.angles),
+                                         {command.x_px, command.y_px}, centred_range_mm,
+                                         reading.lens ? reading.lens->magnification() : 1.0);
     if (!angles) {
         return Error{"Nothing is seen at that place of the pan-tilt picture.",
                      "Choose one nearer to its middle."};

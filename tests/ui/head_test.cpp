@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "core/base/angles.h"
-#include "core/pointing/centring.h"
+#include "core/pointing/pan_tilt_view.h"
 #include "tests/support/fake_gamepad.h"
 #include "tests/ui/window_page.h"
 #include "ui/devices/head_stick.h"
@@ -148,7 +148,7 @@ TEST_F(HeadInTheWindow, AClickInThePanTiltPictureBringsItToTheMiddle) {
     const QPoint place = view.view().widget_from_pixel({pixel.x(), pixel.y()}).toPoint();
     const QPointF clicked = view.view().pixel_from_widget(place);
     const auto expected =
-        centring_angles(rig, {clicked.x(), clicked.y()}, view.shown()->head->angles);
+        angles_to_centre(rig, view.shown()->head->angles, {clicked.x(), clicked.y()}, 2000.0);
     ASSERT_TRUE(expected);
     QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, place);
     EXPECT_TRUE(
