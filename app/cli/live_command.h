@@ -11,8 +11,8 @@ namespace kambara::cli {
 struct LiveOptions {
     std::string profile = "default";
     std::string pan_tilt;           ///< a real head's URI in place of the simulated one
-    bool servo = false;             ///< likewise by its camera's own picture (ServoHead)
     std::optional<double> seconds;  ///< until interrupted, where not given
+    bool servo = false;  ///< the head's aim is made right by its camera's own picture (ServoHead)
 };
 
 /// The main job on the simulated rig in real time: chooses the target, follows it, aims the head,

@@ -11,8 +11,8 @@ namespace kambara::cli {
 struct SimulateOptions {
     std::string profile = "default";
     double seconds = 10.0;
-    bool servo = false;  ///< the head's aim is made right by its camera's own picture (ServoHead)
     std::filesystem::path out;
+    bool servo = false;  ///< the head's aim is made right by its camera's own picture (ServoHead)
     std::string position_method = "reprojection";  ///< by which the head follows
 };
 

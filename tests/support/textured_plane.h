@@ -14,10 +14,10 @@ namespace kambara::testing_support {
 /// casting one ray a sample through the lens: shares no drawing code with the project.
 struct TexturedPlane {
     Eigen::Vector3d origin_in_rig_mm{0.0, 0.0, 1500.0};  ///< moves the pattern with it
-    Eigen::Vector2d slope = Eigen::Vector2d::Zero();     ///< change of z by x and by y
     double contrast_grey = 55.0;
     double offset_grey = 125.0;
-    double size = 1.0;  ///< of the pattern
+    double size = 1.0;                                ///< of the pattern
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< change of z by x and by y
 
     double grey_at(double u_mm, double v_mm) const;
 };
