@@ -987,6 +987,182 @@
         <source>Calibrate it with the others first.</source>
         <translation>Kalibrieren Sie sie zuerst mit den anderen.</translation>
     </message>
+    <message>
+        <source>The target was not moved along a line.</source>
+        <translation>Das Ziel wurde nicht entlang einer Geraden bewegt.</translation>
+    </message>
+    <message>
+        <source>Move it straight up or down, as on a plumb line, and nothing else.</source>
+        <translation>Bewegen Sie es gerade auf und ab, wie an einem Lot, und sonst nichts.</translation>
+    </message>
+    <message>
+        <source>The movement is far from upright in the pictures.</source>
+        <translation>Die Bewegung ist in den Bildern weit von der Senkrechten entfernt.</translation>
+    </message>
+    <message>
+        <source>Move the target up and down, not across or away; a rig that looks down by more than 60 degrees can&apos;t be levelled so.</source>
+        <translation>Bewegen Sie das Ziel auf und ab, nicht zur Seite oder weg; eine Anlage, die mehr als 60 Grad nach unten blickt, lässt sich so nicht ausrichten.</translation>
+    </message>
+    <message>
+        <source>The points do not lie spread over a plane.</source>
+        <translation>Die Punkte liegen nicht über eine Ebene verteilt.</translation>
+    </message>
+    <message>
+        <source>Measure points all over a flat, upright wall.</source>
+        <translation>Messen Sie Punkte überall auf einer ebenen, senkrechten Wand.</translation>
+    </message>
+    <message>
+        <source>The wall is seen too much from its side.</source>
+        <translation>Die Wand wird zu sehr von der Seite gesehen.</translation>
+    </message>
+    <message>
+        <source>Stand the rig before the wall, looking at it.</source>
+        <translation>Stellen Sie die Anlage vor die Wand, mit Blick auf sie.</translation>
+    </message>
+    <message>
+        <source>The points scatter so much that the mount&apos;s angle is known to %1 degrees only.</source>
+        <translation>Die Punkte streuen so sehr, dass der Einbauwinkel nur auf %1 Grad bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Measure more points, over more height, nearer to the rig.</source>
+        <translation>Messen Sie mehr Punkte, über mehr Höhe, näher an der Anlage.</translation>
+    </message>
+    <message>
+        <source>%1 points are too few to level by.</source>
+        <translation>%1 Punkte sind zu wenige zum Ausrichten.</translation>
+    </message>
+    <message>
+        <source>Station %1 %2.</source>
+        <translation>Ort %1 %2.</translation>
+    </message>
+    <message>
+        <source>was measured behind the left camera</source>
+        <translation>wurde hinter der linken Kamera gemessen</translation>
+    </message>
+    <message>
+        <source>has a coordinate that is no number</source>
+        <translation>hat eine Koordinate, die keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>has a known place that is not before the left camera</source>
+        <translation>hat einen bekannten Ort, der nicht vor der linken Kamera liegt</translation>
+    </message>
+    <message>
+        <source>Leave it out, or mend the tables of known places and of measured positions.</source>
+        <translation>Lassen Sie ihn weg, oder berichtigen Sie die Tabellen der bekannten Orte und der gemessenen Positionen.</translation>
+    </message>
+    <message>
+        <source>The known places do not fix where their frame lies.</source>
+        <translation>Die bekannten Orte legen nicht fest, wo ihr Koordinatensystem liegt.</translation>
+    </message>
+    <message>
+        <source>Give four or more that are not on one line, or give them in the rig&apos;s or the left camera&apos;s frame.</source>
+        <translation>Geben Sie vier oder mehr an, die nicht auf einer Geraden liegen, oder geben Sie sie im Koordinatensystem der Anlage oder der linken Kamera an.</translation>
+    </message>
+    <message>
+        <source>The rig file holds no pan-tilt camera.</source>
+        <translation>Die Kalibrierdatei enthält keine Schwenkkamera.</translation>
+    </message>
+    <message>
+        <source>Calibrate all three cameras with the head at home first.</source>
+        <translation>Kalibrieren Sie zuerst alle drei Kameras, den Kopf in Grundstellung.</translation>
+    </message>
+    <message>
+        <source>%1 views are too few to calibrate the head.</source>
+        <translation>%1 Ansichten sind zu wenige, um den Kopf zu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Give at least %1, over the whole range of pan and tilt that the target allows.</source>
+        <translation>Geben Sie mindestens %1 an, über den ganzen Bereich von Schwenken und Neigen, den der Zielkörper erlaubt.</translation>
+    </message>
+    <message>
+        <source>The head&apos;s positions lie too near together to tell its axes.</source>
+        <translation>Die Stellungen des Kopfes liegen zu nah beieinander, um seine Achsen zu bestimmen.</translation>
+    </message>
+    <message>
+        <source>Spread them over at least 20 degrees of pan and 10 degrees of tilt.</source>
+        <translation>Verteilen Sie sie über mindestens 20 Grad Schwenken und 10 Grad Neigen.</translation>
+    </message>
+    <message>
+        <source>A point lies where the pan-tilt camera can&apos;t see it.</source>
+        <translation>Ein Punkt liegt, wo die Schwenkkamera ihn nicht sehen kann.</translation>
+    </message>
+    <message>
+        <source>Check the signs of the angles (pan to the right, tilt upwards) and the pan-tilt camera&apos;s pose in the rig file.</source>
+        <translation>Prüfen Sie die Vorzeichen der Winkel (Schwenken nach rechts, Neigen nach oben) und die Lage der Schwenkkamera in der Kalibrierdatei.</translation>
+    </message>
+    <message>
+        <source>The views don&apos;t fit a head of two axes: RMS %1 px.</source>
+        <translation>Die Ansichten passen nicht zu einem Kopf mit zwei Achsen: RMS %1 px.</translation>
+    </message>
+    <message>
+        <source>Check that each picture stands beside the angles it was taken at, the head still, and that pan is positive to the right and tilt upwards.</source>
+        <translation>Prüfen Sie, dass jedes Bild bei den Winkeln steht, bei denen es aufgenommen wurde, der Kopf ruhte, und dass Schwenken nach rechts und Neigen nach oben positiv ist.</translation>
+    </message>
+    <message>
+        <source>The %1 picture is not of the size that the rig was calibrated for.</source>
+        <translation>Das Bild der Kamera %1 hat nicht die Größe, für die die Anlage kalibriert wurde.</translation>
+    </message>
+    <message>
+        <source>Give pictures of that size.</source>
+        <translation>Geben Sie Bilder dieser Größe.</translation>
+    </message>
+    <message>
+        <source>The left and the right picture share only %1 corners of the target.</source>
+        <translation>Das linke und das rechte Bild haben nur %1 Ecken des Zielkörpers gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Show it to both.</source>
+        <translation>Zeigen Sie ihn beiden.</translation>
+    </message>
+    <message>
+        <source>A picture of the three cameras is missing.</source>
+        <translation>Ein Bild der drei Kameras fehlt.</translation>
+    </message>
+    <message>
+        <source>Check that all three deliver pictures.</source>
+        <translation>Prüfen Sie, dass alle drei Bilder liefern.</translation>
+    </message>
+    <message>
+        <source>The head&apos;s camera sees too few of the target&apos;s corners.</source>
+        <translation>Die Kamera des Kopfes sieht zu wenige Ecken des Zielkörpers.</translation>
+    </message>
+    <message>
+        <source>Turn the head towards it.</source>
+        <translation>Drehen Sie den Kopf zu ihm.</translation>
+    </message>
+    <message>
+        <source>pan_deg and tilt_deg are not two numbers.</source>
+        <translation>pan_deg und tilt_deg sind nicht zwei Zahlen.</translation>
+    </message>
+    <message>
+        <source>%1 has no column %2.</source>
+        <translation>%1 hat keine Spalte %2.</translation>
+    </message>
+    <message>
+        <source>Name the columns in its first line, separated by commas.</source>
+        <translation>Nennen Sie die Spalten in der ersten Zeile, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>%1 holds no rows.</source>
+        <translation>%1 enthält keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>Write one line for each.</source>
+        <translation>Schreiben Sie für jeden eine Zeile.</translation>
+    </message>
+    <message>
+        <source>Line %1 of %2 holds no place.</source>
+        <translation>Zeile %1 von %2 enthält keinen Ort.</translation>
+    </message>
+    <message>
+        <source>Give every place three numbers: x_mm, y_mm, z_mm.</source>
+        <translation>Geben Sie jedem Ort drei Zahlen: x_mm, y_mm, z_mm.</translation>
+    </message>
+    <message>
+        <source>Give at least %1.</source>
+        <translation>Geben Sie mindestens %1 an.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -1072,6 +1248,17 @@
     <message>
         <source>About Kambara</source>
         <translation>Über Kambara</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::AssistantWindow</name>
+    <message>
+        <source>Close without saving</source>
+        <translation>Ohne Speichern schließen</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
     </message>
 </context>
 <context>
@@ -1304,6 +1491,317 @@
     </message>
 </context>
 <context>
+    <name>kambara::ui::HeadWindow</name>
+    <message>
+        <source>The views so far were recorded with another rig. Clear them first.</source>
+        <translation>Die bisherigen Ansichten wurden mit einer anderen Anlage aufgenommen. Löschen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>The rig in use does not hold all three cameras: open the source with the rig file that belongs to the record.</source>
+        <translation>Die benutzte Anlage hat nicht alle drei Kameras: Öffnen Sie die Quelle mit der Kalibrierdatei, die zur Aufzeichnung gehört.</translation>
+    </message>
+    <message>
+        <source>Looking for the target in the record&apos;s pictures…</source>
+        <translation>Der Zielkörper wird in den Bildern der Aufzeichnung gesucht …</translation>
+    </message>
+    <message>
+        <source>Views read: %1.</source>
+        <translation>Gelesene Ansichten: %1.</translation>
+    </message>
+    <message>
+        <source>Of no use: %1 rows; the first: %2</source>
+        <translation>Unbrauchbar: %1 Zeilen; die erste: %2</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Es wird gerechnet …</translation>
+    </message>
+    <message>
+        <source>Solve first: there is no model to save.</source>
+        <translation>Rechnen Sie zuerst: Es gibt kein Modell zu speichern.</translation>
+    </message>
+    <message>
+        <source>No model yet: it takes 8 views, over 20° of pan and 10° of tilt.</source>
+        <translation>Noch kein Modell: Es braucht 8 Ansichten, über 20° Schwenken und 10° Neigen.</translation>
+    </message>
+    <message>
+        <source>%1 views, %2 points</source>
+        <translation>%1 Ansichten, %2 Punkte</translation>
+    </message>
+    <message>
+        <source>not measured: no views from both sides</source>
+        <translation>nicht gemessen: keine Ansichten von beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Saved: %1. Open the source with this rig file to steer by it.</source>
+        <translation>Gespeichert: %1. Öffnen Sie die Quelle mit dieser Kalibrierdatei, um danach zu steuern.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. calibrate-head --views reads it, too.</source>
+        <translation>Gespeichert: %1. Auch calibrate-head --views liest sie.</translation>
+    </message>
+    <message>
+        <source>Head calibration</source>
+        <translation>Kalibrierung des Kopfs</translation>
+    </message>
+    <message>
+        <source>Record of head views</source>
+        <translation>Aufzeichnung von Ansichten des Kopfs</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Clear without saving</source>
+        <translation>Ohne Speichern löschen</translation>
+    </message>
+    <message>
+        <source>Another source was opened: recording ended.</source>
+        <translation>Eine andere Quelle wurde geöffnet: Die Aufzeichnung ist beendet.</translation>
+    </message>
+    <message>
+        <source>No source is open: open one in the main window.</source>
+        <translation>Keine Quelle ist offen: Öffnen Sie eine im Hauptfenster.</translation>
+    </message>
+    <message>
+        <source>The rig in use does not hold all three cameras: calibrate them first, with the head at home (Calibration &gt; Calibrate).</source>
+        <translation>Die benutzte Anlage hat nicht alle drei Kameras: Kalibrieren Sie sie zuerst, den Kopf in Grundstellung (Kalibrierung &gt; Kalibrieren).</translation>
+    </message>
+    <message>
+        <source>This source has no pan-tilt head: a record of the command line&apos;s can be loaded.</source>
+        <translation>Diese Quelle hat keinen Schwenkkopf: Eine Aufzeichnung der Befehlszeile kann geladen werden.</translation>
+    </message>
+    <message>
+        <source>The head&apos;s camera delivers no pictures: a record can be loaded instead.</source>
+        <translation>Die Kamera des Kopfs liefert keine Bilder: Stattdessen kann eine Aufzeichnung geladen werden.</translation>
+    </message>
+    <message>
+        <source>The simulated rig is being opened with this target…</source>
+        <translation>Die simulierte Anlage wird mit diesem Zielkörper geöffnet …</translation>
+    </message>
+    <message>
+        <source>The head looks at pan %1, tilt %2.</source>
+        <translation>Der Kopf blickt nach Schwenken %1, Neigen %2.</translation>
+    </message>
+    <message>
+        <source>Position %1 of %2.</source>
+        <translation>Stellung %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Looking for the target in the left and the right picture…</source>
+        <translation>Der Zielkörper wird im linken und im rechten Bild gesucht …</translation>
+    </message>
+    <message>
+        <source>The target is seen. Hold it still…</source>
+        <translation>Der Zielkörper ist gefunden. Halten Sie ihn still …</translation>
+    </message>
+    <message>
+        <source>The target stands too far to the side for the head to turn about it. Put it nearer to the middle.</source>
+        <translation>Der Zielkörper steht zu weit seitlich, als dass der Kopf sich um ihn drehen könnte. Stellen Sie ihn näher zur Mitte.</translation>
+    </message>
+    <message>
+        <source>The head goes to %1 positions. Keep the target still; F12 stops the head.</source>
+        <translation>Der Kopf geht in %1 Stellungen. Lassen Sie den Zielkörper stehen; F12 hält den Kopf an.</translation>
+    </message>
+    <message>
+        <source>The head was stopped or moved by other means: the round ended. What was recorded is kept.</source>
+        <translation>Der Kopf wurde anderweitig angehalten oder bewegt: Die Runde ist beendet. Was aufgezeichnet wurde, bleibt.</translation>
+    </message>
+    <message>
+        <source>The head did not get to pan %1, tilt %2 within 15 seconds. Check its line and that nothing blocks it, then go on.</source>
+        <translation>Der Kopf kam nicht innerhalb von 15 Sekunden nach Schwenken %1, Neigen %2. Prüfen Sie seine Leitung und dass nichts ihn hindert, dann fahren Sie fort.</translation>
+    </message>
+    <message>
+        <source>The head&apos;s model that was found has not been saved.</source>
+        <translation>Das gefundene Modell des Kopfs ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The recorded views have not been saved.</source>
+        <translation>Die aufgezeichneten Ansichten sind nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Record of the &amp;views</source>
+        <translation>Aufzeichnung der &amp;Ansichten</translation>
+    </message>
+    <message>
+        <source>Save r&amp;ecord</source>
+        <translation>Auf&amp;zeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Rig &amp;file</source>
+        <translation>Kalibrier&amp;datei</translation>
+    </message>
+    <message>
+        <source>&amp;Save rig</source>
+        <translation>Anlage &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Rig files (*.yaml)</source>
+        <translation>Kalibrierdateien (*.yaml)</translation>
+    </message>
+    <message>
+        <source>A target&apos;s short form, or its file (.yaml)</source>
+        <translation>Die Kurzform eines Zielkörpers oder seine Datei (.yaml)</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>&amp;Zielkörper</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>Schwenken</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>Neigen</translation>
+    </message>
+    <message>
+        <source>came from, pan / tilt</source>
+        <translation>kam von, Schw. / Neig.</translation>
+    </message>
+    <message>
+        <source>corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>why it is of no use</source>
+        <translation>warum unbrauchbar</translation>
+    </message>
+    <message>
+        <source>Recorded views</source>
+        <translation>Aufgezeichnete Ansichten</translation>
+    </message>
+    <message>
+        <source>There are no views yet.
+
+Stand the target about a metre before the rig, where all three cameras see it, and go through the positions: the head turns about it by itself, and each one is come to from below and from above, which tells the backlash.
+
+For still better lever arms, move the target and go through them again. Or load a record of the command line&apos;s calibrate-head.</source>
+        <translation>Es gibt noch keine Ansichten.
+
+Stellen Sie den Zielkörper etwa einen Meter vor die Anlage, wo alle drei Kameras ihn sehen, und fahren Sie die Stellungen ab: Der Kopf dreht sich von selbst um ihn, und jede wird von unten und von oben erreicht, was das Spiel verrät.
+
+Für noch bessere Hebelarme versetzen Sie den Zielkörper und fahren sie noch einmal ab. Oder laden Sie eine Aufzeichnung für calibrate-head von der Befehlszeile.</translation>
+    </message>
+    <message>
+        <source>&amp;Go through the positions</source>
+        <translation>Stellungen ab&amp;fahren</translation>
+    </message>
+    <message>
+        <source>&amp;Record this view</source>
+        <translation>Diese Ansicht auf&amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Load a record…</source>
+        <translation>Aufzeichnung &amp;laden …</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>S&amp;olve</source>
+        <translation>&amp;Rechnen</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>RMS over all points, in the head&apos;s picture.</source>
+        <translation>Quadratisches Mittel über alle Punkte, im Bild des Kopfs.</translation>
+    </message>
+    <message>
+        <source>as an angle</source>
+        <translation>als Winkel</translation>
+    </message>
+    <message>
+        <source>The same, at the head&apos;s camera.</source>
+        <translation>Dasselbe, an der Kamera des Kopfs.</translation>
+    </message>
+    <message>
+        <source>without a model</source>
+        <translation>ohne Modell</translation>
+    </message>
+    <message>
+        <source>If the camera turned about its own centre: what the model is worth.</source>
+        <translation>Wenn sich die Kamera um ihr eigenes Zentrum drehte: was das Modell wert ist.</translation>
+    </message>
+    <message>
+        <source>Tilt axis ahead</source>
+        <translation>Neigeachse voraus</translation>
+    </message>
+    <message>
+        <source>Of the pan axis; ± one standard deviation.</source>
+        <translation>Vor der Schwenkachse; ± eine Standardabweichung.</translation>
+    </message>
+    <message>
+        <source>Camera off tilt axis</source>
+        <translation>Kamera neben Neigeachse</translation>
+    </message>
+    <message>
+        <source>The tilt axis&apos;s place in the camera&apos;s frame; ± one standard deviation.</source>
+        <translation>Ort der Neigeachse im Koordinatensystem der Kamera; ± eine Standardabweichung.</translation>
+    </message>
+    <message>
+        <source>Tilt axis skew</source>
+        <translation>Schiefe der Neigeachse</translation>
+    </message>
+    <message>
+        <source>From square to the pan axis.</source>
+        <translation>Gegen den rechten Winkel zur Schwenkachse.</translation>
+    </message>
+    <message>
+        <source>Backlash of pan</source>
+        <translation>Spiel beim Schwenken</translation>
+    </message>
+    <message>
+        <source>By how much farther the encoder goes than the axis; ± one standard deviation.</source>
+        <translation>Um wie viel der Geber weiter geht als die Achse; ± eine Standardabweichung.</translation>
+    </message>
+    <message>
+        <source>Backlash of tilt</source>
+        <translation>Spiel beim Neigen</translation>
+    </message>
+    <message>
+        <source>Clear the views to take another target.</source>
+        <translation>Löschen Sie die Ansichten, um einen anderen Zielkörper zu nehmen.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Stopp</translation>
+    </message>
+    <message>
+        <source>Where the head stands now; from which side it came is not known.</source>
+        <translation>Wo der Kopf jetzt steht; von welcher Seite er kam, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>It takes %1 views.</source>
+        <translation>Es braucht %1 Ansichten.</translation>
+    </message>
+    <message>
+        <source>There are no recorded pictures.</source>
+        <translation>Es gibt keine aufgezeichneten Bilder.</translation>
+    </message>
+</context>
+<context>
     <name>kambara::ui::HoldPad</name>
     <message>
         <source>Hold the target</source>
@@ -1424,6 +1922,173 @@ Umschalt: drehen, Rad: näher</translation>
     </message>
 </context>
 <context>
+    <name>kambara::ui::LevellingWindow</name>
+    <message>
+        <source>Levelling</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>A vertical movement</source>
+        <translation>Eine senkrechte Bewegung</translation>
+    </message>
+    <message>
+        <source>An upright wall</source>
+        <translation>Eine senkrechte Wand</translation>
+    </message>
+    <message>
+        <source>&amp;Level by</source>
+        <translation>&amp;Ausrichten nach</translation>
+    </message>
+    <message>
+        <source>A wall says nothing of roll. 0 where the rig hangs level from side to side.</source>
+        <translation>Eine Wand sagt nichts über das Rollen. 0, wo die Anlage seitlich waagrecht hängt.</translation>
+    </message>
+    <message>
+        <source>Roll, &amp;known</source>
+        <translation>&amp;Rollen, bekannt</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>Auf&amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positionen</translation>
+    </message>
+    <message>
+        <source>Recorded while the target was tracked.</source>
+        <translation>Aufgezeichnet, während das Ziel verfolgt wurde.</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Ausdehnung</translation>
+    </message>
+    <message>
+        <source>The movement&apos;s length, or the wall&apos;s height as far as measured.</source>
+        <translation>Die Länge der Bewegung oder die Höhe der Wand, soweit gemessen.</translation>
+    </message>
+    <message>
+        <source>Straightness</source>
+        <translation>Geradheit</translation>
+    </message>
+    <message>
+        <source>RMS of the positions&apos; distances from the line or the plane.</source>
+        <translation>Quadratisches Mittel der Abstände der Positionen von der Geraden oder der Ebene.</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Positions that lie far off the others.</source>
+        <translation>Positionen, die weit neben den anderen liegen.</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>By how much the rig looks down; ± one standard deviation.</source>
+        <translation>Um wie viel die Anlage nach unten blickt; ± eine Standardabweichung.</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>By how much the rig&apos;s right side hangs down; ± one standard deviation.</source>
+        <translation>Um wie viel die rechte Seite der Anlage tiefer hängt; ± eine Standardabweichung.</translation>
+    </message>
+    <message>
+        <source>Rig &amp;file</source>
+        <translation>Kalibrier&amp;datei</translation>
+    </message>
+    <message>
+        <source>&amp;Use this</source>
+        <translation>&amp;Übernehmen</translation>
+    </message>
+    <message>
+        <source>Rig files (*.yaml)</source>
+        <translation>Kalibrierdateien (*.yaml)</translation>
+    </message>
+    <message>
+        <source>Another source was opened: the recording ended.</source>
+        <translation>Eine andere Quelle wurde geöffnet: Die Aufzeichnung ist beendet.</translation>
+    </message>
+    <message>
+        <source>Stand the rig before a flat, upright wall. Choose a target on it and record; then move the vehicle or the target so that it goes all over the wall, up and down as well as to the sides.</source>
+        <translation>Stellen Sie die Anlage vor eine ebene, senkrechte Wand. Wählen Sie ein Ziel darauf und zeichnen Sie auf; dann bewegen Sie das Fahrzeug oder das Ziel so, dass es über die ganze Wand geht, auf und ab wie auch zur Seite.</translation>
+    </message>
+    <message>
+        <source>Track a target, record, then move it or the vehicle straight up and down, as on a plumb line, half a metre or more, and nothing else.</source>
+        <translation>Verfolgen Sie ein Ziel, zeichnen Sie auf, dann bewegen Sie es oder das Fahrzeug gerade auf und ab, wie an einem Lot, einen halben Meter oder mehr, und sonst nichts.</translation>
+    </message>
+    <message>
+        <source>The recorded positions appear here, seen from the front and from the side.</source>
+        <translation>Hier erscheinen die aufgezeichneten Positionen, von vorn und von der Seite gesehen.</translation>
+    </message>
+    <message>
+        <source>The recorded positions come from another rig. Clear them first.</source>
+        <translation>Die aufgezeichneten Positionen stammen von einer anderen Anlage. Löschen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Stopp</translation>
+    </message>
+    <message>
+        <source>The recording is full and has ended. Clear it to record anew.</source>
+        <translation>Die Aufzeichnung ist voll und beendet. Löschen Sie sie, um neu aufzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>The movement is short: %1. Go on to %2 or more, since errors that hang together turn a short line by much.</source>
+        <translation>Die Bewegung ist kurz: %1. Gehen Sie auf %2 oder mehr, denn zusammenhängende Fehler drehen eine kurze Gerade stark.</translation>
+    </message>
+    <message>
+        <source>The positions are far from a plane: if that is a bend, it may have turned it by up to %1.</source>
+        <translation>Die Positionen liegen weit von einer Ebene: Ist das eine Krümmung, so kann sie die Ebene um bis zu %1 gedreht haben.</translation>
+    </message>
+    <message>
+        <source>The movement is crooked: a bend of that size may have turned it by up to %1. Move straight up and down.</source>
+        <translation>Die Bewegung ist krumm: Eine Krümmung dieser Größe kann sie um bis zu %1 gedreht haben. Bewegen Sie gerade auf und ab.</translation>
+    </message>
+    <message>
+        <source>The angle is not known well yet: record more positions over more height.</source>
+        <translation>Der Winkel ist noch nicht gut bekannt: Zeichnen Sie mehr Positionen über mehr Höhe auf.</translation>
+    </message>
+    <message>
+        <source>%1 RMS</source>
+        <translation>%1 im quadr. Mittel</translation>
+    </message>
+    <message>
+        <source>%1, as given</source>
+        <translation>%1, wie angegeben</translation>
+    </message>
+    <message>
+        <source>Stop the recording first.</source>
+        <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>There is no angle to save yet.</source>
+        <translation>Es gibt noch keinen Winkel zu speichern.</translation>
+    </message>
+    <message>
+        <source>The recorded movement and the angle found from it have not been saved.</source>
+        <translation>Die aufgezeichnete Bewegung und der daraus gefundene Winkel sind nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. The Target panel can tell positions in the levelled rig&apos;s and the vehicle&apos;s frame now.</source>
+        <translation>Gespeichert: %1. Das Feld „Ziel“ kann Positionen jetzt im Koordinatensystem der ausgerichteten Anlage und des Fahrzeugs angeben.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+</context>
+<context>
     <name>kambara::ui::MainWindow</name>
     <message>
         <source>Opening %1…</source>
@@ -1520,6 +2185,25 @@ Umschalt: drehen, Rad: näher</translation>
     <message>
         <source>Click: what is there comes to the middle</source>
         <translation>Klick: was dort ist, kommt in die Mitte</translation>
+    </message>
+    <message>
+        <source>Tool&amp;s</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::MovementView</name>
+    <message>
+        <source>Recorded positions</source>
+        <translation>Aufgezeichnete Positionen</translation>
+    </message>
+    <message>
+        <source>From the front: x, y</source>
+        <translation>Von vorn: x, y</translation>
+    </message>
+    <message>
+        <source>From the side: z, y</source>
+        <translation>Von der Seite: z, y</translation>
     </message>
 </context>
 <context>
@@ -1652,6 +2336,45 @@ Umschalt: drehen, Rad: näher</translation>
     </message>
 </context>
 <context>
+    <name>kambara::ui::PlaceTable</name>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>z mm</source>
+        <translation>z mm</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>measured x mm</source>
+        <translation>gemessen x mm</translation>
+    </message>
+    <message>
+        <source>off mm</source>
+        <translation>daneben mm</translation>
+    </message>
+    <message>
+        <source>range error %</source>
+        <translation>Entf.-Fehler %</translation>
+    </message>
+    <message>
+        <source>Known places</source>
+        <translation>Bekannte Orte</translation>
+    </message>
+    <message>
+        <source>This is no number. Write a length in mm.</source>
+        <translation>Das ist keine Zahl. Schreiben Sie eine Länge in mm.</translation>
+    </message>
+</context>
+<context>
     <name>kambara::ui::PlaybackBar</name>
     <message>
         <source>Frame of the recording</source>
@@ -1726,6 +2449,327 @@ Umschalt: drehen, Rad: näher</translation>
     <message>
         <source>One deviation of the range, from what the calibration leaves open</source>
         <translation>Eine Standardabweichung der Entfernung aus dem, was die Kalibrierung offen lässt</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::RangePlots</name>
+    <message>
+        <source>range error, %</source>
+        <translation>Entfernungsfehler, %</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>side x, mm</source>
+        <translation>seitlich x, mm</translation>
+    </message>
+    <message>
+        <source>depth z, mm</source>
+        <translation>Tiefe z, mm</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>bekannt</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>height y, mm (down)</source>
+        <translation>Höhe y, mm (nach unten)</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::RangeResult</name>
+    <message>
+        <source>baseline</source>
+        <translation>Basislänge</translation>
+    </message>
+    <message>
+        <source>range, mean</source>
+        <translation>Entf., Mittel</translation>
+    </message>
+    <message>
+        <source>range, worst</source>
+        <translation>Entf., größter</translation>
+    </message>
+    <message>
+        <source>depth, mean</source>
+        <translation>Tiefe, Mittel</translation>
+    </message>
+    <message>
+        <source>depth, worst</source>
+        <translation>Tiefe, größter</translation>
+    </message>
+    <message>
+        <source>position, mean</source>
+        <translation>Position, Mittel</translation>
+    </message>
+    <message>
+        <source>position, worst</source>
+        <translation>Position, größter</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>range error %1 in the mean, %2 at worst</source>
+        <translation>Entfernungsfehler %1 im Mittel, höchstens %2</translation>
+    </message>
+    <message>
+        <source>Good without any correction: %1</source>
+        <translation>Gut ohne jede Korrektur: %1</translation>
+    </message>
+    <message>
+        <source>Good after the correction of the baseline: %1</source>
+        <translation>Gut nach der Korrektur der Basislänge: %1</translation>
+    </message>
+    <message>
+        <source>Not good, even after the correction: %1</source>
+        <translation>Nicht gut, auch nach der Korrektur: %1</translation>
+    </message>
+    <message>
+        <source>Places: %1. Good is what 1999 reached with a corrected baseline: %2 in the mean, %3 at worst.</source>
+        <translation>Orte: %1. Gut ist, was 1999 mit korrigierter Basislänge erreicht wurde: %2 im Mittel, höchstens %3.</translation>
+    </message>
+    <message>
+        <source>The corrected baseline is the one that suits these places best, ± %1: what is left after it says nothing of scale.</source>
+        <translation>Die korrigierte Basislänge ist die, die am besten zu diesen Orten passt, ± %1: Was danach bleibt, sagt nichts über den Maßstab.</translation>
+    </message>
+    <message>
+        <source>The corrected baseline was measured by other means, or rests on one place alone.</source>
+        <translation>Die korrigierte Basislänge wurde anders gemessen oder beruht auf einem einzigen Ort.</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::RangeWindow</name>
+    <message>
+        <source>Range experiment</source>
+        <translation>Entfernungsversuch</translation>
+    </message>
+    <message>
+        <source>Known places</source>
+        <translation>Bekannte Orte</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Clear without saving</source>
+        <translation>Ohne Speichern löschen</translation>
+    </message>
+    <message>
+        <source>Another source was opened: measuring ended.</source>
+        <translation>Eine andere Quelle wurde geöffnet: Die Messung ist beendet.</translation>
+    </message>
+    <message>
+        <source>Places read from %1: %2.</source>
+        <translation>Aus %1 gelesene Orte: %2.</translation>
+    </message>
+    <message>
+        <source>The places so far were measured by another rig. Clear the table first.</source>
+        <translation>Die bisherigen Orte wurden mit einer anderen Anlage gemessen. Löschen Sie zuerst die Tabelle.</translation>
+    </message>
+    <message>
+        <source>Begin without saving</source>
+        <translation>Ohne Speichern beginnen</translation>
+    </message>
+    <message>
+        <source>The simulated rig is being opened at its first station…</source>
+        <translation>Die simulierte Anlage wird an ihrem ersten Ort geöffnet …</translation>
+    </message>
+    <message>
+        <source>The target goes to %1 places by itself, a second each.</source>
+        <translation>Das Ziel geht von selbst an %1 Orte, eine Sekunde für jeden.</translation>
+    </message>
+    <message>
+        <source>Place %1 is measured. Bring the target to place %2, then measure.</source>
+        <translation>Ort %1 ist gemessen. Bringen Sie das Ziel an Ort %2, dann messen Sie.</translation>
+    </message>
+    <message>
+        <source>All places are measured. Judge them.</source>
+        <translation>Alle Orte sind gemessen. Werten Sie sie aus.</translation>
+    </message>
+    <message>
+        <source>Place %1: waiting for the tracked target…</source>
+        <translation>Ort %1: Es wird auf das verfolgte Ziel gewartet …</translation>
+    </message>
+    <message>
+        <source>Place %1, reading %2: </source>
+        <translation>Ort %1, Messung %2: </translation>
+    </message>
+    <message>
+        <source>estimate less truth x %1, y %2, z %3; range %4</source>
+        <translation>Schätzung minus Wahrheit x %1, y %2, z %3; Entfernung %4</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3</source>
+        <translation>x %1, y %2, z %3</translation>
+    </message>
+    <message>
+        <source>&amp;Stop measuring</source>
+        <translation>Messung &amp;beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Positions need a rig of two cameras.</source>
+        <translation>Positionen brauchen eine Anlage mit zwei Kameras.</translation>
+    </message>
+    <message>
+        <source>Averages the tracked target&apos;s next positions.</source>
+        <translation>Mittelt die nächsten Positionen des verfolgten Ziels.</translation>
+    </message>
+    <message>
+        <source>Choose a place whose coordinates are known.</source>
+        <translation>Wählen Sie einen Ort, dessen Koordinaten bekannt sind.</translation>
+    </message>
+    <message>
+        <source>St&amp;op the simulation</source>
+        <translation>Simulation &amp;beenden</translation>
+    </message>
+    <message>
+        <source>S&amp;imulated experiment</source>
+        <translation>S&amp;imulierter Versuch</translation>
+    </message>
+    <message>
+        <source>Measure a place first.</source>
+        <translation>Messen Sie zuerst einen Ort.</translation>
+    </message>
+    <message>
+        <source>Place %1 has no coordinates. Write them, or remove it.</source>
+        <translation>Ort %1 hat keine Koordinaten. Schreiben Sie sie, oder entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Places that took no part, since they were not measured: %1.</source>
+        <translation>Orte, die nicht teilnahmen, weil sie nicht gemessen sind: %1.</translation>
+    </message>
+    <message>
+        <source>Simulated places that the target was not followed to: %1.</source>
+        <translation>Simulierte Orte, an die das Ziel nicht verfolgt wurde: %1.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>The measured places have not been saved.</source>
+        <translation>Die gemessenen Orte sind nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Measure the places and judge them first.</source>
+        <translation>Messen Sie zuerst die Orte und werten Sie sie aus.</translation>
+    </message>
+    <message>
+        <source>left camera</source>
+        <translation>linke Kamera</translation>
+    </message>
+    <message>
+        <source>rig</source>
+        <translation>Anlage</translation>
+    </message>
+    <message>
+        <source>their own</source>
+        <translation>ihr eigenes</translation>
+    </message>
+    <message>
+        <source>The frame in which the places are known. Their own: it is laid upon the measured places by least squares, and what is left is judged.</source>
+        <translation>Das Koordinatensystem, in dem die Orte bekannt sind. Ihr eigenes: Es wird nach kleinsten Quadraten auf die gemessenen Orte gelegt, und was bleibt, wird beurteilt.</translation>
+    </message>
+    <message>
+        <source>&amp;Frame of the places</source>
+        <translation>Koordinatens&amp;ystem der Orte</translation>
+    </message>
+    <message>
+        <source>Readings a &amp;place</source>
+        <translation>Messungen &amp;je Ort</translation>
+    </message>
+    <message>
+        <source>&amp;Baseline by tape:</source>
+        <translation>&amp;Basislänge nach Maßband:</translation>
+    </message>
+    <message>
+        <source>The correction is to this baseline. Without it, to the one that suits the places best.</source>
+        <translation>Auf diese Basislänge wird korrigiert. Ohne sie auf die, die am besten zu den Orten passt.</translation>
+    </message>
+    <message>
+        <source>There are no known places yet.
+
+Add them one by one, or load a table whose columns are x_mm, y_mm, z_mm: x to the right, y down, z ahead.
+
+Then bring the tracked target to each place and measure. The simulated experiment does all of it by itself, in 75 seconds.</source>
+        <translation>Es gibt noch keine bekannten Orte.
+
+Fügen Sie sie einzeln hinzu, oder laden Sie eine Tabelle mit den Spalten x_mm, y_mm, z_mm: x nach rechts, y nach unten, z voraus.
+
+Dann bringen Sie das verfolgte Ziel an jeden Ort und messen. Der simulierte Versuch tut all das von selbst, in 75 Sekunden.</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>&amp;Laden …</translation>
+    </message>
+    <message>
+        <source>&amp;Add a place</source>
+        <translation>Ort &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Judge</source>
+        <translation>Aus&amp;werten</translation>
+    </message>
+    <message>
+        <source>Table (CSV)</source>
+        <translation>Tabelle (CSV)</translation>
+    </message>
+    <message>
+        <source>Save &amp;table</source>
+        <translation>&amp;Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Report (HTML)</source>
+        <translation>Bericht (HTML)</translation>
+    </message>
+    <message>
+        <source>Save &amp;report</source>
+        <translation>&amp;Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Reports (*.html)</source>
+        <translation>Berichte (*.html)</translation>
     </message>
 </context>
 <context>
@@ -1828,6 +2872,37 @@ Umschalt: drehen, Rad: näher</translation>
     <message>
         <source>Saved: %1</source>
         <translation>Gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::SaveRow</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>The file has no name. Write one, or choose a place.</source>
+        <translation>Die Datei hat keinen Namen. Schreiben Sie einen, oder wählen Sie einen Ort.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder. Write a file&apos;s name behind it.</source>
+        <translation>%1 ist ein Ordner. Schreiben Sie einen Dateinamen dahinter.</translation>
+    </message>
+    <message>
+        <source>The folder %1 can&apos;t be made. Choose a place that can be written to.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden. Wählen Sie einen Ort, an dem geschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Write over it?</source>
+        <translation>%1 gibt es schon. Überschreiben?</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Write over it</source>
+        <translation>Überschreiben</translation>
     </message>
 </context>
 <context>
@@ -2108,6 +3183,21 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     </message>
 </context>
 <context>
+    <name>kambara::ui::TargetLine</name>
+    <message>
+        <source>No target is tracked: drag a rectangle over it in the main window&apos;s left picture.</source>
+        <translation>Kein Ziel wird verfolgt: Ziehen Sie im linken Bild des Hauptfensters ein Rechteck darüber.</translation>
+    </message>
+    <message>
+        <source>The target is chosen but not followed: start tracking (F5) in the main window.</source>
+        <translation>Das Ziel ist gewählt, wird aber nicht verfolgt: Starten Sie die Verfolgung (F5) im Hauptfenster.</translation>
+    </message>
+    <message>
+        <source>%1 away</source>
+        <translation>%1 entfernt</translation>
+    </message>
+</context>
+<context>
     <name>kambara::ui::TrackPanel</name>
     <message>
         <source>Start tracking (F5) follows it; a new rectangle replaces it.</source>
@@ -2116,10 +3206,6 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>x (right)</source>
         <translation>x (rechts)</translation>
-    </message>
-    <message>
-        <source>In the left camera&apos;s frame; ± one standard deviation from image noise.</source>
-        <translation>Im System der linken Kamera; ± eine Standardabweichung aus dem Bildrauschen.</translation>
     </message>
     <message>
         <source>y (down)</source>
@@ -2192,6 +3278,46 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>number %1</source>
         <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>In the frame chosen above; ± one standard deviation from image noise.</source>
+        <translation>Im oben gewählten Koordinatensystem; ± eine Standardabweichung aus dem Bildrauschen.</translation>
+    </message>
+    <message>
+        <source>left camera</source>
+        <translation>linke Kamera</translation>
+    </message>
+    <message>
+        <source>rig</source>
+        <translation>Anlage</translation>
+    </message>
+    <message>
+        <source>rig, levelled</source>
+        <translation>Anlage, ausgerichtet</translation>
+    </message>
+    <message>
+        <source>vehicle</source>
+        <translation>Fahrzeug</translation>
+    </message>
+    <message>
+        <source>The frame in which the position is told. The last two need a rig whose mount is known: Tools &gt; Levelling finds it.</source>
+        <translation>Das Koordinatensystem, in dem die Position angegeben wird. Die letzten zwei brauchen eine Anlage, deren Einbau bekannt ist: Werkzeuge &gt; Ausrichten findet ihn.</translation>
+    </message>
+    <message>
+        <source>Fra&amp;me</source>
+        <translation>&amp;Bezug</translation>
+    </message>
+    <message>
+        <source>x (forward)</source>
+        <translation>x (voraus)</translation>
+    </message>
+    <message>
+        <source>y (right)</source>
+        <translation>y (rechts)</translation>
+    </message>
+    <message>
+        <source>z (down)</source>
+        <translation>z (unten)</translation>
     </message>
 </context>
 <context>
@@ -2426,6 +3552,30 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>This head can&apos;t be reset.</source>
         <translation>Dieser Kopf lässt sich nicht zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>&amp;Levelling…</source>
+        <translation>&amp;Ausrichten …</translation>
+    </message>
+    <message>
+        <source>Finds the angle in which the rig is mounted</source>
+        <translation>Findet den Winkel, in dem die Anlage eingebaut ist</translation>
+    </message>
+    <message>
+        <source>&amp;Range experiment…</source>
+        <translation>&amp;Entfernungsversuch …</translation>
+    </message>
+    <message>
+        <source>Holds measured positions against known places</source>
+        <translation>Hält gemessene Positionen gegen bekannte Orte</translation>
+    </message>
+    <message>
+        <source>&amp;Head calibration…</source>
+        <translation>&amp;Kalibrierung des Kopfs …</translation>
+    </message>
+    <message>
+        <source>Finds the pan-tilt head&apos;s axes, lever arms and backlash</source>
+        <translation>Findet Achsen, Hebelarme und Spiel des Schwenkkopfs</translation>
     </message>
 </context>
 </TS>

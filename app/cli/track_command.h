@@ -16,7 +16,7 @@ struct TrackOptions {
     SourceOptions sources;
     /// X,Y,W,H in the first frame, a target each; `auto` with sim:
     std::vector<std::string> templates;
-    int steer = 1;  ///< the number of the target that the head is steered to
+    int steer = 1;       ///< the number of the target that the head is steered to
     bool servo = false;  ///< the head's aim is made right by its camera's own picture (ServoHead)
     std::string measure = "zncc";
     std::string transform = "none";

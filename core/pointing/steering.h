@@ -9,7 +9,8 @@
 namespace kambara {
 
 struct SteeringOptions {
-    /// The head is left alone while the target is nearer to its axis than this: a step of its motors.
+    /// The head is left alone while the target is nearer to its axis than this: a step of its
+    /// motors.
     double dead_band_rad = rad_from_deg(0.1);
     /// Commands follow each other no faster than this, so that a slow line to the head does not
     /// fill up; 0 for as often as asked.

@@ -170,11 +170,11 @@ struct TellVehicleMotion {
     bool operator==(const TellVehicleMotion&) const = default;
 };
 
-using Command =
-    std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate, ClearTemplate,
-                 SteerTo, MoveHead, HaltHead, SteerHead, ServoHead, SelectInPanTilt, CaptureView,
-                 Calibrate, Flow, Seek, HoldFrame, TellVehicleMotion, DriveHead, HomeHead, ResetHead,
-                 CentreHead, ZoomHead, FocusHead, AutofocusHead, KeepPreset, RecallPreset>;
+using Command = std::variant<SelectTemplate, StartTracking, StopTracking, UpdateTemplate,
+                             ClearTemplate, SteerTo, MoveHead, HaltHead, SteerHead, ServoHead,
+                             SelectInPanTilt, CaptureView, Calibrate, Flow, Seek, HoldFrame,
+                             TellVehicleMotion, DriveHead, HomeHead, ResetHead, CentreHead,
+                             ZoomHead, FocusHead, AutofocusHead, KeepPreset, RecallPreset>;
 
 /// What a calibration came to.
 struct CalibrationOutcome {
