@@ -24,7 +24,8 @@ constexpr double chunk_px = 6.0;  // along the curve, between two drawings of th
 constexpr int most_refinements = 4;
 // What drawing a patch and the fit leave without any noise: 0.0014 to 0.0024 px by matches in
 // noiseless pictures at 1, 2 and 5 m, in the middle of the field and at its edge.
-constexpr double drawing_sigma_px = 0.0018;
+constexpr double exact_sigma_px = 0.0018;
+constexpr double fast_sigma_px = 0.015;         // likewise 0.012 to 0.018 px
 constexpr double settled_px = 0.3;              // the fit holds for a patch drawn no farther away
 constexpr double farthest_fit_px = 0.5;         // from the peak of the scores
 constexpr double preferred_by = 0.1;            // so much less alike may the expected place be
@@ -119,10 +120,11 @@ std::optional<RenderedPatch> refine(PatchMatch& match, const ReferencePatch& pat
                                     const Eigen::Vector3d& expected_in_rig_mm,
                                     const PatchSearchOptions& options) {
     const Eigen::Vector2d start = match.pixel;
+    const double drawing_px = options.refined == Drawing::exact ? exact_sigma_px : fast_sigma_px;
     std::optional<RenderedPatch> last;
     for (int i = 0; i < most_refinements; ++i) {
         const auto place = place_at_depth(camera, match.pixel, expected_in_rig_mm.z());
-        auto drawn = place ? drawn_for(options.method, patch, left, camera, *place, Drawing::exact)
+        auto drawn = place ? drawn_for(options.method, patch, left, camera, *place, options.refined)
                            : std::nullopt;
         const auto found = drawn ? match_drawn(*drawn, grey, 2, 2, options) : std::nullopt;
         if (!found || (found->match.pixel - start).norm() > farthest_refinement_px) {
@@ -136,9 +138,9 @@ std::optional<RenderedPatch> refine(PatchMatch& match, const ReferencePatch& pat
             refine_match(grey, drawn->picture, drawn->inner(), pixel - drawn->centre);
         if (fitted && (fitted->position_px + drawn->centre - pixel).norm() < farthest_fit_px) {
             pixel = fitted->position_px + drawn->centre;
-            match.covariance_px2 = fitted->covariance_px2 + (drawing_sigma_px * drawing_sigma_px +
-                                                             options.floor_px * options.floor_px) *
-                                                                Eigen::Matrix2d::Identity();
+            match.covariance_px2 = fitted->covariance_px2 +
+                                   (drawing_px * drawing_px + options.floor_px * options.floor_px) *
+                                       Eigen::Matrix2d::Identity();
             match.covariance_of_picture_px2 = 0.5 * fitted->covariance_px2;
         }
         const double moved = (pixel - match.pixel).norm();

@@ -49,6 +49,8 @@ struct PatchSearchOptions {
     /// Standard deviation added to every match for what drawing the patch and the fit leave without
     /// any noise beyond the rounding of grey levels.
     double floor_px = 0.001;
+    /// How a patch is drawn where a match is refined.
+    Drawing refined = Drawing::exact;
     bool measure_change = true;  ///< in window searches: how the target has turned and grown
     /// What other searches of the same pictures have transformed; may be null.
     TransformCache* transforms = nullptr;

@@ -49,6 +49,10 @@ StereoTracker::StereoTracker(Rig rig, TrackerOptions options,
       clear_method_(options.search.method),
       transforms_(transforms ? std::move(transforms) : std::make_shared<TransformCache>()) {
     options_.search.transforms = transforms_.get();
+    if (!rig_.right) {
+        // A direction alone: a hundredth of a pixel does not matter, time does.
+        options_.search.refined = Drawing::fast;
+    }
 }
 
 Result<Done> StereoTracker::set_template(const StereoFrame& frame, const Rectangle& rectangle) {
