@@ -2334,6 +2334,18 @@ Umschalt: drehen, Rad: näher</translation>
         <source>%1/s</source>
         <translation>%1/s</translation>
     </message>
+    <message>
+        <source>Followed by the pan-tilt picture alone.</source>
+        <translation>Nur im Bild der Schwenkkamera verfolgt.</translation>
+    </message>
+    <message>
+        <source>Followed in the pan-tilt picture, too.</source>
+        <translation>Auch im Bild der Schwenkkamera verfolgt.</translation>
+    </message>
+    <message>
+        <source>Not seen for sure in the pan-tilt picture.</source>
+        <translation>Im Bild der Schwenkkamera nicht sicher zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::ui::PlaceTable</name>
@@ -3576,6 +3588,18 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>Finds the pan-tilt head&apos;s axes, lever arms and backlash</source>
         <translation>Findet Achsen, Hebelarme und Spiel des Schwenkkopfs</translation>
+    </message>
+    <message>
+        <source>Follow in its &amp;picture</source>
+        <translation>In seinem &amp;Bild verfolgen</translation>
+    </message>
+    <message>
+        <source>Follows the target in the pan-tilt picture, too: that makes the aim right, and stands in where the stereo pair does not see it</source>
+        <translation>Verfolgt das Ziel auch im Bild der Schwenkkamera: Das berichtigt die Richtung und springt ein, wo das Stereopaar es nicht sieht</translation>
+    </message>
+    <message>
+        <source>There is no pan-tilt picture.</source>
+        <translation>Es gibt kein Bild der Schwenkkamera.</translation>
     </message>
 </context>
 </TS>

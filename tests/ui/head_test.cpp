@@ -245,6 +245,23 @@ TEST_F(HeadInTheWindow, SteerHandsItOverAndBack) {
     EXPECT_TRUE(page_.until([&] { return page_.shown().head->angles != before; }));
 }
 
+TEST_F(HeadInTheWindow, TheTargetIsFollowedInItsPictureByChoice) {
+    page_.drag(page_.target());
+    ASSERT_TRUE(page_.until_state(TrackState::tracking));
+    ASSERT_TRUE(page_.until([&] { return page_.action("servo").isEnabled(); }));
+    EXPECT_FALSE(page_.shown().servo);
+    page_.key(Qt::Key_A, Qt::ShiftModifier);
+    ASSERT_TRUE(page_.until([&] { return page_.shown().servo && page_.shown().servo->on; }));
+    EXPECT_TRUE(page_.until([&] { return page_.action("servo").isChecked(); }));
+    EXPECT_TRUE(page_.until([&] {
+        return page_.shown().servo->pan_tilt_px &&
+               page_.text("headNote") == "Followed in the pan-tilt picture, too.";
+    }));
+    page_.key(Qt::Key_A, Qt::ShiftModifier);
+    ASSERT_TRUE(page_.until([&] { return !page_.shown().servo; }));
+    EXPECT_TRUE(page_.until([&] { return !page_.action("servo").isChecked(); }));
+}
+
 TEST_F(HeadInTheWindow, TheStopKeyHaltsItFromAnywhere) {
     ASSERT_TRUE(page_.until([&] { return page_.action("halt").isEnabled(); }));
     auto& pad = page_.part<ui::PanTiltPad>("panTiltPad");

@@ -109,6 +109,14 @@ void PanTiltPanel::build_buttons(QBoxLayout* column, const QList<QAction*>& acti
     column->addLayout(grid);
 }
 
+QString PanTiltPanel::told(const ServoSnapshot& servo) {
+    if (servo.alone) {
+        return tr("Followed by the pan-tilt picture alone.");
+    }
+    return servo.pan_tilt_px ? tr("Followed in the pan-tilt picture, too.")
+                             : tr("Not seen for sure in the pan-tilt picture.");
+}
+
 QSize PanTiltPanel::sizeHint() const {
     return widget() != nullptr ? widget()->sizeHint() : QScrollArea::sizeHint();
 }
@@ -139,8 +147,12 @@ void PanTiltPanel::show_snapshot(const SnapshotPtr& snapshot) {
         note_->setText(translated(head->fault));
         note_->setStyleSheet(QStringLiteral("color: %1").arg(theme::bad.name()));
     } else {
-        note_->setText(head->at_limit ? tr("The target is beyond the head's reach.") : QString());
-        note_->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
+        const bool follows = !head->at_limit && snapshot->servo && snapshot->servo->on;
+        note_->setText(head->at_limit ? tr("The target is beyond the head's reach.")
+                       : follows      ? told(*snapshot->servo)
+                                      : QString());
+        note_->setStyleSheet(follows ? QString()
+                                     : QStringLiteral("color: %1").arg(theme::caution.name()));
     }
     note_->setVisible(!note_->text().isEmpty());
 }

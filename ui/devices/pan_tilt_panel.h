@@ -36,6 +36,7 @@ class PanTiltPanel : public QScrollArea {
     void asked(const kambara::Command& command);
 
   private:
+    static QString told(const ServoSnapshot& servo);
     void build_speed(QBoxLayout* column);
     void build_buttons(QBoxLayout* column, const QList<QAction*>& actions);
 

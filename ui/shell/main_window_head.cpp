@@ -18,6 +18,8 @@ void MainWindow::connect_head() {
         drive_->drop_all();
         link_->send(SteerHead{automatic});
     });
+    connect(actions_->servo, &QAction::triggered, this,
+            [this](bool on) { link_->send(ServoHead{on}); });
     connect(actions_->home, &QAction::triggered, this, [this] { link_->send(HomeHead{}); });
     connect(actions_->reset_head, &QAction::triggered, this, [this] { link_->send(ResetHead{}); });
     connect(actions_->halt, &QAction::triggered, this, &MainWindow::halt_head);

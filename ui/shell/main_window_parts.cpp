@@ -80,7 +80,8 @@ void MainWindow::build_docks() {
     pan_tilt_->setToolTip(tr("Click: what is there comes to the middle"));
     drive_ = new HandDrive(this);
     head_ = new PanTiltPanel(
-        {actions_->home, actions_->reset_head, actions_->steer, actions_->halt}, drive_, this);
+        {actions_->home, actions_->reset_head, actions_->steer, actions_->halt, actions_->servo},
+        drive_, this);
     head_->setObjectName(QStringLiteral("headPanel"));
     map_ = new CorrelationMapView(this);
     map_->setObjectName(QStringLiteral("mapView"));
@@ -186,7 +187,8 @@ void MainWindow::build_menus() {
     add(tr("&Recording"), {actions_->play, actions_->step});
     add(tr("&Target"), {actions_->freeze, actions_->select, actions_->start, actions_->stop,
                         actions_->update_template, actions_->clear});
-    add(tr("&Head"), {actions_->steer, actions_->home, actions_->reset_head, actions_->halt});
+    add(tr("&Head"),
+        {actions_->steer, actions_->servo, actions_->home, actions_->reset_head, actions_->halt});
     add(tr("&Calibration"), {actions_->calibrate});
     add(tr("Tool&s"), {actions_->level, actions_->range_experiment, actions_->calibrate_head});
     QMenu* view = add(tr("&View"), {actions_->stretch_map});

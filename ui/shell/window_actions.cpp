@@ -38,6 +38,12 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
     steer = make(tr("&Steer"), QStringLiteral("A"),
                  tr("Steers the head to the target; off: it is moved by hand"), "steer");
     steer->setCheckable(true);
+    servo =
+        make(tr("Follow in its &picture"), QStringLiteral("Shift+A"),
+             tr("Follows the target in the pan-tilt picture, too: that makes the aim right, and "
+                "stands in where the stereo pair does not see it"),
+             "servo");
+    servo->setCheckable(true);
     home = make(tr("&Home"), QStringLiteral("H"), tr("Turns the head straight ahead"), "home");
     halt = make(tr("Hal&t head"), QStringLiteral("F12"),
                 tr("Stops the head at once, from anywhere in the program"), "halt");
@@ -121,6 +127,9 @@ void WindowActions::update(const Snapshot* snapshot, bool recording) {
     allow(clear, unless(has_template, tr("There is no template.")));
     allow(steer, unless(has_head, no_head));
     steer->setChecked(has_head && snapshot->head->automatic);
+    const bool has_view = has_head && snapshot->pictures.pan_tilt.picture;
+    allow(servo, unless(has_view, has_head ? tr("There is no pan-tilt picture.") : no_head));
+    servo->setChecked(snapshot != nullptr && snapshot->servo && snapshot->servo->on);
     allow(calibrate,
           unless(!over, tr("The source is over: there are no pictures to calibrate from.")));
     for (QAction* assistant : {level, range_experiment, calibrate_head}) {

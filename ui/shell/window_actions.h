@@ -31,6 +31,7 @@ class WindowActions : public QObject {
     QAction* update_template;
     QAction* clear;
     QAction* steer;
+    QAction* servo;
     QAction* home;
     QAction* halt;
     QAction* reset_head;
