@@ -80,8 +80,7 @@ void MainWindow::build_docks() {
     pan_tilt_->setToolTip(tr("Click: what is there comes to the middle"));
     drive_ = new HandDrive(this);
     head_ = new PanTiltPanel(
-        {actions_->home, actions_->reset_head, actions_->steer, actions_->halt, actions_->servo},
-        drive_, this);
+        {actions_->home, actions_->reset_head, actions_->steer, actions_->halt}, drive_, this);
     head_->setObjectName(QStringLiteral("headPanel"));
     map_ = new CorrelationMapView(this);
     map_->setObjectName(QStringLiteral("mapView"));
