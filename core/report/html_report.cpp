@@ -234,8 +234,13 @@ void HtmlReport::lines(std::string_view title, std::string_view across, std::str
                     .append(x_of(point.x))
                     .append(" ")
                     .append(y_of(point.y));
-                body_ += "<circle cx=\"" + x_of(point.x) + "\" cy=\"" + y_of(point.y) +
-                         "\" r=\"3\" fill=\"" + colour + "\"/>";
+                body_.append("<circle cx=\"")
+                    .append(x_of(point.x))
+                    .append("\" cy=\"")
+                    .append(y_of(point.y))
+                    .append("\" r=\"3\" fill=\"")
+                    .append(colour)
+                    .append("\"/>");
             }
             drawing = known;
         }

@@ -60,6 +60,7 @@ void RigWatch::judge() {
     state.matches = static_cast<int>(matches_.size());
     state.offset_px = median(offsets);
     std::vector<double> apart;
+    apart.reserve(offsets.size());
     for (const double offset : offsets) {
         apart.push_back(std::abs(offset - state.offset_px));
     }

@@ -30,7 +30,7 @@ class VisionSystem final : public VsystemInterface {
     VisionSystem(VisionSystemParts parts, const VisionSystemOptions& options, Clock& clock)
         : rig_(parts.rig),
           pipeline_(
-              parts.rig, std::move(parts.head), std::move(parts.vehicle), options, clock,
+              parts.rig, parts.head, std::move(parts.vehicle), options, clock,
               [this](SnapshotPtr snapshot) { publish(std::move(snapshot)); },
               [this](const Event& event) { in_order(outgoing_events_, event, events_); }),
           source_(make_source(std::move(parts.grabbers), options, clock)),

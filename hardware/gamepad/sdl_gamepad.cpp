@@ -93,7 +93,7 @@ class Device {
 class SdlGamepad final : public GamepadBase {
   public:
     explicit SdlGamepad(const Clock& clock)
-        : clock_(clock), thread_([this](std::stop_token stop) { run(stop); }) {}
+        : clock_(clock), thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
     std::string wait_until_begun() { return begun_.get_future().get(); }
 
@@ -103,7 +103,7 @@ class SdlGamepad final : public GamepadBase {
     }
 
   private:
-    void run(std::stop_token stop) {
+    void run(const std::stop_token& stop) {
         // The window's program handles signals, and its window is not SDL's.
         SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
         SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");

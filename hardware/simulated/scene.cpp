@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <ranges>
 
 #include "core/base/angles.h"
 #include "hardware/simulated/camera_tilt.h"
@@ -255,10 +254,10 @@ float Scene::sheet_grey(std::size_t sheet, float across_mm, float down_mm) const
     if (marks_.empty()) {
         return pattern_->at(across_mm, down_mm);
     }
-    for (const auto& mark : std::ranges::reverse_view(marks_[sheet])) {
-        if (mark.covers(across_mm, down_mm)) {
-            return mark.dark ? mark_grey : paper_grey;
-        }
+    const auto mark = std::find_if(marks_[sheet].rbegin(), marks_[sheet].rend(),
+                                   [&](const auto& one) { return one.covers(across_mm, down_mm); });
+    if (mark != marks_[sheet].rend()) {
+        return mark->dark ? mark_grey : paper_grey;
     }
     return sheets_[sheet].dark ? mark_grey : paper_grey;
 }
