@@ -7,6 +7,7 @@
 
 #include "core/calibration/target_detector.h"
 #include "core/stereo/position.h"
+#include "core/vsystem/picture_fit.h"
 
 namespace kambara {
 namespace {
@@ -15,7 +16,7 @@ constexpr std::size_t least_corners = 8;
 
 Result<DetectedCorners> corners_in(const Image& picture, const Target& target, const Camera& camera,
                                    const char* which) {
-    if (picture.width() != camera.width_px || picture.height() != camera.height_px) {
+    if (!fits(picture, camera)) {
         return Error{std::string("The ") + which +
                          " picture is not of the size that the rig was calibrated for.",
                      "Give pictures of that size."};

@@ -8,6 +8,7 @@
 #include "core/pointing/aim.h"
 #include "core/pointing/pan_tilt_view.h"
 #include "core/tracking/patch_search.h"
+#include "core/vsystem/picture_fit.h"
 
 namespace kambara {
 namespace {
@@ -87,8 +88,7 @@ Result<Done> PanTiltServo::select(const Frame& grey, const HeadAngles& angles, d
     if (!on_ || !tracker_) {
         return Error{"The pan-tilt picture is not followed.", "Switch that on first."};
     }
-    if (grey.picture->width() != rig_.pan_tilt->width_px ||
-        grey.picture->height() != rig_.pan_tilt->height_px) {
+    if (!fits(*grey.picture, *rig_.pan_tilt)) {
         return Error{"The pan-tilt pictures are " + std::to_string(grey.picture->width()) + " x " +
                          std::to_string(grey.picture->height()) + ", the calibration is for " +
                          std::to_string(rig_.pan_tilt->width_px) + " x " +
@@ -203,8 +203,7 @@ void PanTiltServo::see(const Seen& seen) {
     }
     last_index_ = seen.grey.index;
     sure_ = false;
-    if (seen.grey.picture->width() != rig_.pan_tilt->width_px ||
-        seen.grey.picture->height() != rig_.pan_tilt->height_px) {
+    if (!fits(*seen.grey.picture, *rig_.pan_tilt)) {
         return;
     }
     note_turn(seen.angles, seen.grey.time_ns, seen.magnified);

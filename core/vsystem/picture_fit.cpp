@@ -28,9 +28,10 @@ Result<Rig> fitted_to_pictures(const Rig& rig, const Grabbers& grabbers) {
                          "Calibrate both cameras, or leave the right source out."};
         }
     }
-    bool fits = true;
+    bool all_fit = true;
     for (const Camera* camera : {&rig.left, rig.right ? &*rig.right : &rig.left}) {
-        fits = fits && left.width_px == camera->width_px && left.height_px == camera->height_px;
+        all_fit =
+            all_fit && left.width_px == camera->width_px && left.height_px == camera->height_px;
         const double factor_x = static_cast<double>(left.width_px) / camera->width_px;
         const double factor_y = static_cast<double>(left.height_px) / camera->height_px;
         // A rounded size of the same shape may be off by half a pixel on the shorter side.
@@ -42,7 +43,11 @@ Result<Rig> fitted_to_pictures(const Rig& rig, const Grabbers& grabbers) {
                          "Use the rig file that belongs to these pictures, or calibrate anew."};
         }
     }
-    return fits ? rig : scaled_to(rig, left.width_px, left.height_px);
+    return all_fit ? rig : scaled_to(rig, left.width_px, left.height_px);
+}
+
+bool fits(const Image& picture, const Camera& camera) {
+    return picture.width() == camera.width_px && picture.height() == camera.height_px;
 }
 
 }  // namespace kambara

@@ -4,18 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
-#include <condition_variable>
 #include <filesystem>
 #include <fstream>
-#include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/sources/sources.h"
 #include "core/image/rectangle.h"
-#include "core/vsystem/vision_system.h"
 #include "tests/support/process.h"
+#include "tests/support/stepped_run.h"
 
 namespace kambara::cli {
 namespace {
@@ -35,35 +36,23 @@ TEST(MovingTarget, IsWithinItsRangeOf95PercentAtAlmostAllPlaces) {
     source.right = (folder / "right/%06d.png").string();
     auto sources = open_sources(source, clock);
     ASSERT_TRUE(sources) << sources.error().text();
-    VisionSystemOptions options;
-    options.every_frame = true;
-    options.start_paused = true;
-    auto opened = open_vision_system(std::move(sources->parts), options, clock);
-    ASSERT_TRUE(opened) << opened.error().text();
+    const auto system = testing_support::opened_in_step(std::move(sources->parts), clock);
+    ASSERT_TRUE(system);
     std::ifstream template_file(folder / "template.txt");
     std::string rectangle;
     template_file >> rectangle;
-    ASSERT_TRUE((*opened)->execute(SelectTemplate{*parse_rectangle(rectangle), std::nullopt}));
-    std::mutex mutex;
-    std::condition_variable changed;
     std::vector<std::optional<Position>> seen;
-    bool over = false;
-    const auto observation = (*opened)->observe([&](const SnapshotPtr& snapshot) {
-        const std::lock_guard lock(mutex);
-        seen.resize(std::max(seen.size(), static_cast<std::size_t>(snapshot->frame + 1)));
-        const TrackEstimate estimate = steered_estimate(*snapshot);
-        if (estimate.position && estimate.state == TrackState::tracking) {
-            seen[static_cast<std::size_t>(snapshot->frame)] = estimate.position;
-        }
-        over = over || snapshot->run == RunState::ended;
-        changed.notify_all();
-    });
-    ASSERT_TRUE((*opened)->execute(StartTracking{}));
-    ASSERT_TRUE((*opened)->execute(Flow{Flow::Kind::run}));
-    std::unique_lock lock(mutex);
-    ASSERT_TRUE(changed.wait_for(lock, std::chrono::seconds(120), [&] { return over; }));
+    testing_support::run_to_end(
+        *system, {SelectTemplate{*parse_rectangle(rectangle), std::nullopt}, StartTracking{}},
+        [&](const Snapshot& snapshot) {
+            seen.resize(std::max(seen.size(), static_cast<std::size_t>(snapshot.frame + 1)));
+            const TrackEstimate estimate = steered_estimate(snapshot);
+            if (estimate.position && estimate.state == TrackState::tracking) {
+                seen[static_cast<std::size_t>(snapshot.frame)] = estimate.position;
+            }
+        });
     // The template's centre is beside the target's by a part of a pixel, and stays so.
-    const Rig rig = (*opened)->rig();
+    const Rig rig = system->rig();
     const auto truth_rows = testing_support::rows_of_csv(folder / "truth.csv");
     const auto point_of = [](const std::vector<std::string>& row) {
         return Eigen::Vector3d(std::stod(row[2]), std::stod(row[3]), std::stod(row[4]));

@@ -5,19 +5,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <condition_variable>
 #include <cstdio>
 #include <functional>
-#include <memory>
-#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/sources/sources.h"
 #include "core/pointing/aim.h"
-#include "core/vsystem/vision_system.h"
 #include "hardware/simulated/simulated_world.h"
 #include "hardware/simulated/station_path.h"
+#include "tests/support/stepped_run.h"
 
 namespace kambara {
 namespace {
@@ -56,32 +54,21 @@ std::vector<Sample> samples_of(const Scene& run) {
                            .toRotationMatrix(),
                        Eigen::Vector3d::Zero()} *
         pan_tilt.T_camera_from_rig;
-    VisionSystemOptions system_options;
-    system_options.every_frame = true;
-    system_options.start_paused = true;
-    auto opened = open_vision_system(std::move(sources->parts), system_options, clock);
-    EXPECT_TRUE(opened.ok()) << opened.error().text();
-    VsystemInterface& system = **opened;
-    std::mutex mutex;
-    std::condition_variable changed;
-    bool over = false;
+    const auto system = testing_support::opened_in_step(std::move(sources->parts), clock);
     std::vector<Sample> samples;
-    const auto observation = system.observe([&](const SnapshotPtr& snapshot) {
-        std::lock_guard lock(mutex);
-        if (samples.empty() || samples.back().frame != snapshot->frame) {
-            const Eigen::Vector3d truth = world->T_left_from_target(snapshot->frame).t_mm;
+    const auto look = [&](const Snapshot& snapshot) {
+        if (samples.empty() || samples.back().frame != snapshot.frame) {
+            const Eigen::Vector3d truth = world->T_left_from_target(snapshot.frame).t_mm;
             samples.push_back(
-                {snapshot->frame,
-                 deg_from_rad(aiming_error_rad(world->rig(), snapshot->head->angles, truth)),
-                 steered_estimate(*snapshot).state, snapshot->head->angles,
-                 angles_towards(world->rig(), truth), snapshot->servo.value_or(ServoSnapshot{})});
+                {snapshot.frame,
+                 deg_from_rad(aiming_error_rad(world->rig(), snapshot.head->angles, truth)),
+                 steered_estimate(snapshot).state, snapshot.head->angles,
+                 angles_towards(world->rig(), truth), snapshot.servo.value_or(ServoSnapshot{})});
             if (run.each) {
-                run.each(system, samples.back());
+                run.each(*system, samples.back());
             }
         }
-        over = snapshot->run == RunState::ended || snapshot->run == RunState::failed;
-        changed.notify_all();
-    });
+    };
     std::vector<Command> commands;
     if (run.select_in_pan_tilt) {
         const Rig& rig = world->rig();
@@ -95,13 +82,7 @@ std::vector<Sample> samples_of(const Scene& run) {
         commands.insert(commands.end(), run.commands.begin(), run.commands.end());
         commands.push_back(StartTracking{});
     }
-    commands.push_back(Flow{Flow::Kind::run});
-    for (const Command& command : commands) {
-        const auto done = system.execute(command);
-        EXPECT_TRUE(done.ok()) << done.error().text();
-    }
-    std::unique_lock lock(mutex);
-    changed.wait(lock, [&] { return over; });
+    testing_support::run_to_end(*system, commands, look);
     return samples;
 }
 
@@ -235,18 +216,15 @@ TEST(PanTiltServo, IsRefusedWithoutPictures) {
     options.left = "sim:default?frames=3";
     auto sources = open_sources(options, clock);
     ASSERT_TRUE(sources.ok());
-    VisionSystemOptions system_options;
-    system_options.every_frame = true;
-    system_options.start_paused = true;
-    auto opened = open_vision_system(std::move(sources->parts), system_options, clock);
-    ASSERT_TRUE(opened.ok());
-    const auto on = (*opened)->execute(ServoHead{});
+    const auto system = testing_support::opened_in_step(std::move(sources->parts), clock);
+    ASSERT_TRUE(system);
+    const auto on = system->execute(ServoHead{});
     ASSERT_FALSE(on.ok());
     EXPECT_NE(on.error().cause.find("no pictures of the pan-tilt camera"), std::string::npos);
-    const auto select = (*opened)->execute(SelectInPanTilt{{10, 10, 31, 31}});
+    const auto select = system->execute(SelectInPanTilt{{10, 10, 31, 31}});
     ASSERT_FALSE(select.ok());
     EXPECT_NE(select.error().cause.find("is not followed"), std::string::npos);
-    EXPECT_FALSE((*opened)->latest()->servo);
+    EXPECT_FALSE(system->latest()->servo);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <condition_variable>
 #include <cstdio>
 #include <filesystem>
 #include <mutex>
@@ -22,6 +21,7 @@
 #include "core/vsystem/vision_system.h"
 #include "hardware/simulated/simulated_world.h"
 #include "hardware/visca/evi_server.h"
+#include "tests/support/stepped_run.h"
 
 namespace kambara {
 namespace {
@@ -52,23 +52,14 @@ Shares shares_of(const std::string& profile) {
     auto sources = open_sources(options, clock);
     EXPECT_TRUE(sources.ok()) << sources.error().text();
     const auto world = sources->world;
-    VisionSystemOptions system_options;
-    system_options.every_frame = true;
-    system_options.start_paused = true;
-    auto opened = open_vision_system(std::move(sources->parts), system_options, clock);
-    EXPECT_TRUE(opened.ok()) << opened.error().text();
-    VsystemInterface& system = **opened;
-    std::mutex mutex;
-    std::condition_variable changed;
-    bool over = false;
+    const auto system = testing_support::opened_in_step(std::move(sources->parts), clock);
     Shares shares;
     std::int64_t last = 0;
     double count = 0.0;
     std::optional<Eigen::Vector2d> before;
-    const auto observation = system.observe([&](const SnapshotPtr& snapshot) {
-        std::lock_guard lock(mutex);
-        if (snapshot->frame > last) {
-            last = snapshot->frame;
+    const auto look = [&](const Snapshot& snapshot) {
+        if (snapshot.frame > last) {
+            last = snapshot.frame;
             count += 1.0;
             const Eigen::Vector3d truth = world->T_left_from_target(last).t_mm;
             const Rig& rig = world->rig();
@@ -81,23 +72,16 @@ Shares shares_of(const std::string& profile) {
                 shares.px_a_frame = std::max(shares.px_a_frame, (*left - *before).norm());
             }
             before = left;
-            const TrackEstimate estimate = steered_estimate(*snapshot);
+            const TrackEstimate estimate = steered_estimate(snapshot);
             if (estimate.state == TrackState::tracking && estimate.position) {
                 const bool near = (estimate.position->point_in_left_mm - truth).norm() <
                                   near_share * truth.norm();
                 (near ? shares.right : shares.wrong) += 1.0;
             }
         }
-        over = snapshot->run == RunState::ended || snapshot->run == RunState::failed;
-        changed.notify_all();
-    });
-    for (const Command& command : {Command(SelectTemplate{world->suggested_template(31), 0}),
-                                   Command(StartTracking{}), Command(Flow{Flow::Kind::run})}) {
-        const auto done = system.execute(command);
-        EXPECT_TRUE(done.ok()) << done.error().text();
-    }
-    std::unique_lock lock(mutex);
-    changed.wait(lock, [&] { return over; });
+    };
+    testing_support::run_to_end(
+        *system, {SelectTemplate{world->suggested_template(31), 0}, StartTracking{}}, look);
     for (double* share : {&shares.right, &shares.wrong, &shares.in_field}) {
         *share /= count;
     }

@@ -38,38 +38,11 @@ bool head_is_away(const Snapshot& snapshot) {
 }  // namespace
 
 SessionWorker::SessionWorker(CalibrationPorts ports, QObject* parent)
-    : QObject(parent), ports_(std::move(ports)) {
-    worker_ = std::jthread([this](std::stop_token stop) { run(stop); });
-}
+    : QObject(parent), ports_(std::move(ports)) {}
 
 SessionWorker::~SessionWorker() {
-    worker_.request_stop();
-    worker_.join();
+    worker_.end();
     solver_ = {};
-}
-
-void SessionWorker::run(std::stop_token stop) {
-    while (true) {
-        std::function<void()> work;
-        {
-            std::unique_lock lock(mutex_);
-            if (!arrived_.wait(lock, stop, [&] { return !work_.empty(); }) ||
-                stop.stop_requested()) {
-                return;
-            }
-            work = std::move(work_.front());
-            work_.pop_front();
-        }
-        work();
-    }
-}
-
-void SessionWorker::enqueue(std::function<void()> work) {
-    {
-        const std::lock_guard lock(mutex_);
-        work_.push_back(std::move(work));
-    }
-    arrived_.notify_one();
 }
 
 // What is still under way when the worker goes is dropped with it.
@@ -78,13 +51,13 @@ void SessionWorker::on_window(std::function<void()> work) {
 }
 
 void SessionWorker::begin(const SessionSetup& setup, const std::filesystem::path& folder) {
-    enqueue([this, setup, folder] {
+    worker_.put([this, setup, folder] {
         take(CalibrationSession::begin(setup, {}, folder, ports_.write_picture), folder);
     });
 }
 
 void SessionWorker::resume(const std::filesystem::path& folder) {
-    enqueue(
+    worker_.put(
         [this, folder] { take(CalibrationSession::resume(folder, ports_.write_picture), folder); });
 }
 
@@ -113,7 +86,7 @@ void SessionWorker::offer(const SnapshotPtr& snapshot) {
     newest_.put(snapshot);
     // One look is enough for however many pictures come before it.
     if (!look_pending_.exchange(true)) {
-        enqueue([this] { look_at_newest(); });
+        worker_.put([this] { look_at_newest(); });
     }
 }
 
@@ -171,7 +144,7 @@ void SessionWorker::after(const Result<Done>& done) {
 }
 
 void SessionWorker::set_kept(int shot, bool kept) {
-    enqueue([this, shot, kept] {
+    worker_.put([this, shot, kept] {
         if (session_) {
             after(kept ? session_->keep(shot) : session_->drop(shot));
         }
@@ -179,7 +152,7 @@ void SessionWorker::set_kept(int shot, bool kept) {
 }
 
 void SessionWorker::undo() {
-    enqueue([this] {
+    worker_.put([this] {
         if (session_) {
             after(session_->undo());
         }
@@ -188,7 +161,7 @@ void SessionWorker::undo() {
 
 void SessionWorker::solve() {
     solving_for_window_ = true;
-    enqueue([this] {
+    worker_.put([this] {
         if (session_) {
             solve_on_thread(false);
         }
@@ -196,7 +169,7 @@ void SessionWorker::solve() {
 }
 
 void SessionWorker::cancel() {
-    enqueue([this] { solver_.request_stop(); });
+    worker_.put([this] { solver_.request_stop(); });
 }
 
 void SessionWorker::solve_on_thread(bool quietly) {
@@ -226,7 +199,7 @@ void SessionWorker::solve_on_thread(bool quietly) {
                 }
                 return;
             }
-            enqueue([this, quietly, outcome, generation] {
+            worker_.put([this, quietly, outcome, generation] {
                 if (generation != generation_) {
                     return;  // of a session that was left
                 }
@@ -241,7 +214,7 @@ void SessionWorker::solve_on_thread(bool quietly) {
 }
 
 void SessionWorker::save_rig(const SessionOutcomePtr& solved, const std::filesystem::path& path) {
-    enqueue([this, solved, path] {
+    worker_.put([this, solved, path] {
         auto rig = rig_with_provenance(*solved, folder_, ports_);
         const auto done = rig ? write_rig_file(path, *rig) : Result<Done>(rig.error());
         on_window([this, done, path] {
@@ -256,7 +229,7 @@ void SessionWorker::save_rig(const SessionOutcomePtr& solved, const std::filesys
 
 void SessionWorker::save_report(const SessionOutcomePtr& solved,
                                 const std::filesystem::path& path) {
-    enqueue([this, solved, path] {
+    worker_.put([this, solved, path] {
         const auto done = write_text_file_atomically(path, ports_.report_page(*solved));
         on_window([this, done, path] {
             if (done) {

@@ -3,15 +3,13 @@
 
 #include <QObject>
 #include <atomic>
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <thread>
 
 #include "core/base/latest_value.h"
+#include "core/base/work_thread.h"
 #include "core/calibration/session/calibration_session.h"
 #include "core/vsystem/snapshot.h"
 #include "ui/calibration/calibration_ports.h"
@@ -74,8 +72,6 @@ class SessionWorker : public QObject {
     void failed(const kambara::Error& error);
 
   private:
-    void run(std::stop_token stop);
-    void enqueue(std::function<void()> work);
     void on_window(std::function<void()> work);
     void take(Result<CalibrationSession> session, const std::filesystem::path& folder);
     void look_at_newest();
@@ -88,9 +84,6 @@ class SessionWorker : public QObject {
     std::atomic<bool> look_pending_ = false;
     std::atomic<bool> watching_ = false;
     std::atomic<bool> by_hand_ = false;
-    std::mutex mutex_;
-    std::condition_variable_any arrived_;
-    std::deque<std::function<void()>> work_;
     // The worker's alone.
     std::optional<CalibrationSession> session_;
     std::filesystem::path folder_;
@@ -98,7 +91,7 @@ class SessionWorker : public QObject {
     int learnt_at_ = 0;   // shots kept
     std::atomic<bool> solving_for_window_ = false;
     std::jthread solver_;  // begun and stopped by the worker
-    std::jthread worker_;
+    WorkThread worker_;
 };
 
 /// How a session was asked for, in words.

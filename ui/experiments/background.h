@@ -2,11 +2,10 @@
 #pragma once
 
 #include <QObject>
-#include <condition_variable>
-#include <deque>
 #include <functional>
-#include <mutex>
-#include <thread>
+#include <utility>
+
+#include "core/base/work_thread.h"
 
 namespace kambara::ui {
 
@@ -16,28 +15,23 @@ namespace kambara::ui {
 class Background : public QObject {
     Q_OBJECT
   public:
-    explicit Background(QObject* parent = nullptr);
-    ~Background() override;
+    explicit Background(QObject* parent = nullptr) : QObject(parent) {}
 
     /// Calls `work` on the thread, then `then` with what it returned on the window's.
     template <class Work, class Then>
     void run(Work work, Then then) {
-        enqueue([this, work = std::move(work), then = std::move(then)] {
+        ++under_way_;
+        thread_.put([this, work = std::move(work), then = std::move(then)] {
             on_window([then, result = work()] { then(result); });
         });
     }
     bool busy() const { return under_way_ > 0; }
 
   private:
-    void enqueue(std::function<void()> work);
     void on_window(std::function<void()> work);
-    void loop(const std::stop_token& stop);
 
     int under_way_ = 0;  // the window's thread alone
-    std::mutex mutex_;
-    std::condition_variable_any arrived_;
-    std::deque<std::function<void()>> work_;
-    std::jthread thread_;
+    WorkThread thread_;  // last, so that it ends before what it uses
 };
 
 }  // namespace kambara::ui

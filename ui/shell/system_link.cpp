@@ -7,13 +7,10 @@
 namespace kambara::ui {
 
 SystemLink::SystemLink(SystemOpener opener, QObject* parent)
-    : QObject(parent), opener_(std::move(opener)) {
-    worker_ = std::jthread([this](std::stop_token stop) { run(stop); });
-}
+    : QObject(parent), opener_(std::move(opener)) {}
 
 SystemLink::~SystemLink() {
-    worker_.request_stop();
-    worker_.join();
+    worker_.end();
     snapshots_.reset();
     events_.reset();
     system_.reset();
@@ -23,33 +20,15 @@ void SystemLink::enqueue(std::function<void()> work) {
     if (under_way_++ == 0) {
         emit busy_changed(true);
     }
-    {
-        std::lock_guard lock(mutex_);
-        work_.push_back(std::move(work));
-    }
-    arrived_.notify_one();
+    worker_.put([this, work = std::move(work)] {
+        work();
+        on_window([this] { finished(); });
+    });
 }
 
 void SystemLink::finished() {
     if (--under_way_ == 0) {
         emit busy_changed(false);
-    }
-}
-
-void SystemLink::run(std::stop_token stop) {
-    while (true) {
-        std::function<void()> work;
-        {
-            std::unique_lock lock(mutex_);
-            if (!arrived_.wait(lock, stop, [&] { return !work_.empty(); }) ||
-                stop.stop_requested()) {
-                return;
-            }
-            work = std::move(work_.front());
-            work_.pop_front();
-        }
-        work();
-        on_window([this] { finished(); });
     }
 }
 

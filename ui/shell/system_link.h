@@ -4,18 +4,16 @@
 #include <QObject>
 #include <QString>
 #include <atomic>
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/base/latest_value.h"
+#include "core/base/work_thread.h"
 #include "core/vsystem/vsystem_interface.h"
 #include "ui/calibration/calibration_ports.h"
 #include "ui/experiments/experiment_ports.h"
@@ -75,7 +73,6 @@ class SystemLink : public QObject {
   private:
     void enqueue(std::function<void()> work);
     void execute(const std::vector<Command>& commands);
-    void run(std::stop_token stop);
     void on_window(std::function<void()> work);
     void watch();
     void put(const SnapshotPtr& snapshot);
@@ -90,15 +87,13 @@ class SystemLink : public QObject {
     int under_way_ = 0;  // the window's thread alone
     TargetHand hand_;    // likewise
     SimulatedStations stations_;
-    std::mutex mutex_;
-    std::condition_variable_any arrived_;
-    std::deque<std::function<void()>> work_;
+    std::mutex mutex_;  // of the following
     std::map<std::size_t, Command> newest_of_kind_;
     // The worker's alone; observations end before what they observe.
     std::unique_ptr<VsystemInterface> system_;
     std::unique_ptr<Observation> snapshots_;
     std::unique_ptr<Observation> events_;
-    std::jthread worker_;
+    WorkThread worker_;
 };
 
 }  // namespace kambara::ui

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <future>
 #include <thread>
+#include <vector>
 
 #include "core/base/bounded_queue.h"
 #include "core/base/clock.h"
 #include "core/base/latest_value.h"
+#include "core/base/work_thread.h"
 
 namespace kambara {
 namespace {
@@ -115,6 +120,36 @@ TEST(SteadyClock, SleepsNoLessThanAsked) {
     const std::int64_t wake_ns = clock.now_ns() + 2'000'000;
     EXPECT_TRUE(clock.sleep_until_ns(wake_ns, {}));
     EXPECT_GE(clock.now_ns(), wake_ns);
+}
+
+TEST(WorkThread, DoesWhatItIsGivenInOrderAndWhatThatGivesIt) {
+    std::vector<int> done;
+    std::promise<void> last;
+    WorkThread thread;
+    thread.put([&] { thread.put([&] { done.push_back(3), last.set_value(); }); });
+    last.get_future().wait();
+    std::promise<void> again;
+    thread.put([&] { done.push_back(4); });
+    thread.put([&] { done.push_back(5), again.set_value(); });
+    again.get_future().wait();
+    EXPECT_EQ(done, (std::vector{3, 4, 5}));
+}
+
+TEST(WorkThread, EndsAfterWhatIsUnderWayAndBeginsNothingMore) {
+    std::promise<void> begun;
+    std::atomic<int> done = 0;
+    WorkThread thread;
+    thread.put([&] {
+        begun.set_value();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        ++done;
+    });
+    begun.get_future().wait();
+    thread.end();
+    EXPECT_EQ(done, 1);
+    thread.put([&] { ++done; });
+    thread.end();
+    EXPECT_EQ(done, 1);
 }
 
 }  // namespace
