@@ -139,8 +139,9 @@ Result<Levelling> level_from_vertical(const Points& points_in_rig_mm,
     const double side_sigma = angle_sigma(points, axes.mean, down, R.row(0).transpose(), 2);
     result.mount.pitch_sigma_rad = pitch_sigma;
     result.mount.roll_sigma_rad = side_sigma / std::cos(result.mount.pitch_rad);
-    if (pitch_sigma > options.largest_sigma_rad) {
-        return not_known_well(pitch_sigma);
+    const double worse_sigma = std::max(pitch_sigma, *result.mount.roll_sigma_rad);
+    if (!(worse_sigma <= options.largest_sigma_rad)) {
+        return not_known_well(worse_sigma);
     }
     const auto count = static_cast<double>(points.size());
     result.axis_in_rig = down;

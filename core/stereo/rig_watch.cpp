@@ -36,8 +36,12 @@ void RigWatch::reset() {
 
 void RigWatch::add(std::int64_t time_ns, const EpipolarOffset& epipolar) {
     const auto window_ns = static_cast<std::int64_t>(options_.window_s * 1e9);
+    if (!matches_.empty() &&
+        (time_ns - matches_.back().time_ns > window_ns || time_ns < matches_.back().time_ns)) {
+        reset();
+    }
     matches_.push_back({time_ns, epipolar});
-    while (time_ns - matches_.front().time_ns > window_ns || matches_.front().time_ns > time_ns) {
+    while (time_ns - matches_.front().time_ns > window_ns) {
         matches_.pop_front();
     }
     judge();

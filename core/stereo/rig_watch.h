@@ -49,8 +49,8 @@ class RigWatch {
   public:
     explicit RigWatch(const Rig& rig, RigWatchOptions options = {});
 
-    /// A good match's offset. Times may not run backwards; after a gap of a window or more it
-    /// begins anew.
+    /// A good match's offset. After a gap of a window or more, and where times run backwards, it
+    /// begins anew, the verdict included.
     void add(std::int64_t time_ns, const EpipolarOffset& epipolar);
     /// Forgets the matches and the verdict: for pictures that do not follow the last ones.
     void reset();

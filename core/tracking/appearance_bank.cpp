@@ -49,6 +49,12 @@ void AppearanceBank::change(const PlanarChange& by) {
     }
 }
 
+void AppearanceBank::lean(const Eigen::Vector2d& slope) {
+    for (std::size_t anchor = 0; anchor < anchors(); ++anchor) {
+        patches_[anchor].slope = slope;
+    }
+}
+
 void AppearanceBank::blend(const Camera& left, const Image& grey,
                            const Eigen::Vector3d& point_in_rig_mm, double share) {
     if (mean_.empty()) {

@@ -32,6 +32,8 @@ class AppearanceBank {
                double share);
     /// Takes one more. Where there is no room, the one that has not fitted for longest goes.
     void add(ReferencePatch patch);
+    /// How the target's plane leant when the first template was cut.
+    void lean(const Eigen::Vector2d& slope);
     /// The target was measured to have turned and grown by so much.
     void change(const PlanarChange& by);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/stereo/ray_pair.h"
+#include "core/tracking/mean_slope.h"
 #include "core/tracking/patch_search.h"
 #include "core/tracking/plane_fit.h"
 
@@ -14,7 +15,6 @@ constexpr double grid_slope = 0.7;
 constexpr double least_parallax_rad = 3.5e-4;
 constexpr double worth_fitting = 0.3;  // likeness: less than this is no start
 constexpr std::size_t most_starts = 3;
-constexpr double better_by = 0.02;  // likeness: less is no proof that it leans
 constexpr double same_place_px = 3.0;
 
 // From the distance at which the left pixel's ray passes the match.
@@ -79,7 +79,8 @@ std::optional<PatchMatch> search_leaning(const ReferencePatch& patch, const Rig&
 void settle_slope(const ReferencePatch& patch, const Rig& rig, const Image& right_grey,
                   const PatchSearchOptions& options, PatchMatch& match) {
     const auto fit = fit_from(patch, rig, right_grey, match);
-    if (fit && fit->likeness > match.likeness + better_by) {
+    if (fit && fit->likeness >= match.likeness * match.likeness_kept &&
+        leans_otherwise(fit->slope, patch.slope, fit->slope_covariance)) {
         take(*fit, options, match);
     }
 }

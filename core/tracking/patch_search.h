@@ -95,7 +95,7 @@ std::optional<PatchMatch> search_leaning(const ReferencePatch& patch, const Rig&
                                          const Image& right_grey, const RangeBounds& bounds,
                                          int band_px, const PatchSearchOptions& options);
 
-/// Fits the plane where a match was found; where the pictures agree clearly better on it, the match
+/// Fits the plane where a match was found; where that leans more than noise explains, the match
 /// gets its place, covariance and slope.
 void settle_slope(const ReferencePatch& patch, const Rig& rig, const Image& right_grey,
                   const PatchSearchOptions& options, PatchMatch& match);

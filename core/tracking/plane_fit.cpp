@@ -211,6 +211,7 @@ class Fit {
         by_both << now.by_plane.col(0), off;
         const double variance = squares_ / std::max(1.0, count_ - 6.0) + 1.0 / 12.0;
         fit.covariance_px2 = variance * by_both * of_both * by_both.transpose();
+        fit.slope_covariance = variance * inverse.block<2, 2>(1, 1);
         return fit;
     }
 

@@ -12,8 +12,9 @@ namespace kambara {
 
 /// A flat piece that two pictures of the same instant agree on.
 struct PlaneFit {
-    double range_mm = 0.0;           ///< of the patch's reference point, from the left camera's eye
-    Eigen::Vector2d slope;           ///< of the plane: change of the rig's z by x and by y
+    double range_mm = 0.0;  ///< of the patch's reference point, from the left camera's eye
+    Eigen::Vector2d slope;  ///< of the plane: change of the rig's z by x and by y
+    Eigen::Matrix2d slope_covariance;
     Eigen::Vector2d right_px;        ///< where the right picture shows the reference point
     Eigen::Matrix2d covariance_px2;  ///< of it, whatever the slope; of what is left over
     double off_curve_px = 0.0;       ///< across the epipolar curve: the calibration's own error

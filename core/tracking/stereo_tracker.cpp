@@ -112,6 +112,7 @@ void StereoTracker::stop() {
 
 void StereoTracker::clear() {
     looks_.reset();
+    slope_ = {};
     last_measured_.reset();
     sure_place_in_rig_mm_.reset();
     last_frame_.reset();
@@ -177,6 +178,7 @@ TrackEstimate StereoTracker::process(const StereoFrame& frame) {
         adopt(*measured, frame);
         judge(*measured);
         follow_change(*measured);
+        learn_slope(*measured, frame);
         refresh_template(*measured, frame);
     }
     describe_size();

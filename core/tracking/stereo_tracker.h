@@ -14,6 +14,7 @@
 #include "core/image/rectangle.h"
 #include "core/stereo/position.h"
 #include "core/tracking/appearance_bank.h"
+#include "core/tracking/mean_slope.h"
 #include "core/tracking/predictor.h"
 #include "core/tracking/search_detail.h"
 #include "core/tracking/target_search.h"
@@ -109,6 +110,7 @@ class StereoTracker {
     void note_surprise(const TargetMeasurement& measured, const Eigen::Vector3d& expected);
     void grow_surprise();
     void follow_change(const TargetMeasurement& measured);
+    void learn_slope(const TargetMeasurement& measured, const StereoFrame& frame);
     void judge(const TargetMeasurement& measured);
     void anchor(const Eigen::Vector3d& point_in_rig_mm);
     std::optional<Eigen::Vector2d> aligned(const TargetMeasurement& measured,
@@ -125,6 +127,7 @@ class StereoTracker {
     std::shared_ptr<TransformCache> transforms_;
     TrackEstimate estimate_;
     std::optional<AppearanceBank> looks_;
+    MeanSlope slope_;  // of the first look, when it was cut
     bool range_known_ = false;
     int pairs_ = 0;  // since the template was cut
     bool place_unknown_ = false;

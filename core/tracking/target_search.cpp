@@ -186,7 +186,7 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
             if (leaning && (!anywhere || leaning->quality > anywhere->quality)) {
                 anywhere = std::move(leaning);
             }
-        } else if (anywhere->quality < options.sure_quality) {
+        } else {
             settle_slope(patch, rig, grey, options.search, *anywhere);
         }
     }

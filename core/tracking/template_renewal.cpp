@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StereoTracker that keeps the template up with the target: turn, growth, fresh looks.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "core/matching/texture.h"
+#include "core/tracking/plane_fit.h"
 #include "core/tracking/stereo_tracker.h"
 
 namespace kambara {
@@ -50,7 +52,10 @@ Result<Done> StereoTracker::update_template() {
     if (!cut) {
         return cut.error();
     }
+    const Eigen::Vector2d slope = looks_->first().slope_now();
     looks_.emplace(*cut);
+    looks_->lean(slope);
+    slope_ = {};
     estimate_.template_size_px = cut->size_px;
     describe_size();
     ++estimate_.template_updates;
@@ -70,6 +75,30 @@ void StereoTracker::follow_change(const TargetMeasurement& measured) {
         step.scale = std::pow(change.value.scale, gain(options_.growth_sigma, change.scale_sigma));
     }
     looks_->change(step);
+}
+
+// From the first pairs in which its distance is known: on one alone the slope is too uncertain to
+// carry a template across the field.
+void StereoTracker::learn_slope(const TargetMeasurement& measured, const StereoFrame& frame) {
+    const bool sure = estimate_.state == TrackState::tracking && measured_by_first_;
+    if (!sure || !range_known_ || !measured.position || slope_.is_settled()) {
+        return;
+    }
+    const Eigen::Rotation2Dd turned(looks_->first().change.turn_rad);
+    ReferencePatch patch{frame.left.picture, measured.left.pixel, measured.left.size_px,
+                         measured.point_in_rig_mm};
+    patch.slope = looks_->first().slope_now();
+    const auto fit =
+        fit_plane(patch, rig_, *frame.right.picture, measured.position->point_in_left_mm.norm());
+    const PatchMatch& right = *measured.right;
+    if (!fit || fit->likeness < right.likeness * right.likeness_kept) {
+        return;
+    }
+    const Eigen::Matrix2d back = turned.inverse().toRotationMatrix();
+    slope_.add(back * fit->slope, back * fit->slope_covariance * back.transpose());
+    if (const auto slope = slope_.value()) {
+        looks_->lean(*slope);
+    }
 }
 
 // Of the target, which a turned patch's own box exceeds.

@@ -27,15 +27,20 @@ VehicleMotion mixed(const VehicleMotion& a, const VehicleMotion& b, double share
 
 }  // namespace
 
-void VehicleTrack::add(const VehicleMotion& motion) {
-    const bool finite = motion.velocity_mm_s.allFinite() && motion.turn_rad_s.allFinite();
-    if (!finite || (!samples_.empty() && motion.time_ns <= samples_.back().time_ns)) {
-        return;
+bool VehicleTrack::add(const VehicleMotion& motion) {
+    const auto is_sigma = [](double sigma) { return std::isfinite(sigma) && sigma >= 0.0; };
+    if (!motion.velocity_mm_s.allFinite() || !motion.turn_rad_s.allFinite() ||
+        !is_sigma(motion.velocity_sigma_mm_s) || !is_sigma(motion.turn_sigma_rad_s)) {
+        return false;
+    }
+    if (!samples_.empty() && motion.time_ns <= samples_.back().time_ns) {
+        return true;
     }
     samples_.push_back(motion);
     while (samples_.front().time_ns < motion.time_ns - kept_ns) {
         samples_.pop_front();
     }
+    return true;
 }
 
 VehicleMotion VehicleTrack::at(std::int64_t time_ns) const {

@@ -25,8 +25,9 @@ class VehicleTrack {
   public:
     static constexpr double stale_after_s = 0.25;
 
-    /// A sample that is no number, or older than the newest one, is passed over.
-    void add(const VehicleMotion& motion);
+    /// A sample older than the newest one is passed over. False where it, or a deviation, is no
+    /// number: nothing is taken.
+    bool add(const VehicleMotion& motion);
     void clear() { samples_.clear(); }
     /// Empty where no samples cover that time: before the first, or long after the last.
     std::optional<RigChange> between(std::int64_t then_ns, std::int64_t now_ns) const;

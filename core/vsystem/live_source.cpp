@@ -114,8 +114,12 @@ class LiveSource final : public FrameSource {
                         lost_ += which == 0 ? 1 : 0;  // one a pair
                     }
                 }
+                const bool over = !frame || !*frame;
+                if (over && which == 2) {
+                    input.frames.clear();  // its last picture would be shown with the pair for ever
+                }
                 arrived_.notify_all();
-                if (!frame || !*frame) {
+                if (over) {
                     return;
                 }
             }

@@ -71,7 +71,11 @@ void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
     const std::int64_t started_ns = clock_.now_ns();
     if (vehicle_) {
         for (const VehicleMotion& motion : vehicle_->take(images_.stereo.left.time_ns)) {
-            targets_.add_vehicle_motion(motion);
+            const auto taken = take_vehicle_motion(motion);
+            if (!taken && !vehicle_refused_) {
+                announce(Event::Kind::warning, taken.error().text());
+            }
+            vehicle_refused_ = !taken;
         }
     }
     targets_.process(remembered_.back());
@@ -119,8 +123,6 @@ void Pipeline::note_changes(const TargetStates& before) {
 
 // Every target that is followed for sure tells whether the cameras still stand as calibrated.
 void Pipeline::watch_rig() {
-    const auto moved = [this] { return watch_.state() && watch_.state()->moved; };
-    const bool before = moved();
     for (const FollowedTarget& target : targets_.all()) {
         const TrackEstimate& estimate = target.tracker.estimate();
         if (estimate.frame == images_.stereo.left.index && estimate.state == TrackState::tracking &&
@@ -128,10 +130,14 @@ void Pipeline::watch_rig() {
             watch_.add(images_.stereo.left.time_ns, estimate.position->epipolar);
         }
     }
-    if (moved() && !before) {
-        announce(Event::Kind::warning, rig_moved_text(*watch_.state()));
-    } else if (before && watch_.state() && !moved()) {
-        announce(Event::Kind::note, rig_restored_text(*watch_.state()));
+    // While nothing is judged, the last verdict stands.
+    if (watch_.state() && watch_.state()->moved != rig_moved_told_) {
+        rig_moved_told_ = watch_.state()->moved;
+        if (rig_moved_told_) {
+            announce(Event::Kind::warning, rig_moved_text(*watch_.state()));
+        } else {
+            announce(Event::Kind::note, rig_restored_text(*watch_.state()));
+        }
     }
 }
 
@@ -525,11 +531,26 @@ Result<Reply> Pipeline::select_in_pan_tilt(const SelectInPanTilt& command) {
 }
 
 Result<Reply> Pipeline::tell_vehicle_motion(const TellVehicleMotion& command) {
-    if (!command.motion.velocity_mm_s.allFinite() || !command.motion.turn_rad_s.allFinite()) {
-        return Error{"The vehicle's motion is no number.", "Check what sends it."};
+    if (const auto taken = take_vehicle_motion(command.motion); !taken) {
+        return taken.error();
     }
-    targets_.add_vehicle_motion(command.motion);
     return Reply(Done{});
+}
+
+// A stamp far ahead would make all later motion look old.
+Result<Done> Pipeline::take_vehicle_motion(const VehicleMotion& motion) {
+    const std::int64_t ahead_ns = motion.time_ns - images_.stereo.left.time_ns;
+    if (images_.stereo.left.picture && ahead_ns > second_ns) {
+        return Error{"The vehicle's motion is stamped " +
+                         std::to_string(static_cast<double>(ahead_ns) * 1e-9) +
+                         " s later than the newest picture.",
+                     "Set the clocks of both alike."};
+    }
+    if (!targets_.add_vehicle_motion(motion)) {
+        return Error{"The vehicle's motion, or its deviation, is no number.",
+                     "Check what sends it."};
+    }
+    return Done{};
 }
 
 void Pipeline::use_rig(const Rig& rig) {
@@ -537,6 +558,7 @@ void Pipeline::use_rig(const Rig& rig) {
     targets_.use_rig(rig_);
     servo_.use_rig(rig_);
     watch_ = RigWatch(rig_);
+    rig_moved_told_ = false;
     announce(Event::Kind::note, "A new calibration is in use. Choose the template again.");
     publish();
 }

@@ -78,6 +78,7 @@ class Pipeline {
     void announce(Event::Kind kind, std::string text);
     void announce_head();
     void watch_rig();
+    Result<Done> take_vehicle_motion(const VehicleMotion& motion);
     void note_changes(const TargetStates& before);
     Result<Reply> finish(const Result<Done>& done, const TargetStates& before);
     double rate_hz() const;
@@ -89,8 +90,10 @@ class Pipeline {
     Announce announce_;
     TargetSet targets_;
     RigWatch watch_;
+    bool rig_moved_told_ = false;
     std::unique_ptr<HeadWorker> head_;
     std::shared_ptr<VehicleFeed> vehicle_;
+    bool vehicle_refused_ = false;  // what it told last; said once
     Steering steering_;
     PanTiltServo servo_;
     Frame pan_tilt_grey_;

@@ -20,7 +20,8 @@ Error no_such_target(int id) {
 void catch_up(FollowedTarget& target, const std::deque<StereoFrame>& pairs) {
     const std::int64_t now = pairs.back().left.index;
     const std::int64_t since = target.template_frame.value_or(now);
-    const bool gapless = pairs.front().left.index <= since + 1;
+    // A template of a later pair than this one: the recording was wound back since.
+    const bool gapless = since <= now && pairs.front().left.index <= since + 1;
     if (!gapless) {
         target.tracker.forget_motion();  // it may be anywhere by now
     }

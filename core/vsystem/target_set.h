@@ -57,7 +57,7 @@ class TargetSet {
     Result<Done> steer_to(int id);
 
     /// How the vehicle moves, which moves what is followed.
-    void add_vehicle_motion(const VehicleMotion& motion) { vehicle_->add(motion); }
+    bool add_vehicle_motion(const VehicleMotion& motion) { return vehicle_->add(motion); }
     void process(const StereoFrame& pair);
     /// Stops all: no pair seen so far says where they are.
     void wound();

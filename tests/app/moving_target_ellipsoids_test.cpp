@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double of_95_percent = 7.815;  // chi squared of three degrees of freedom
 
-TEST(MovingTarget, IsWithinItsRangeOf95PercentAtAlmostAllPlaces) {
+TEST(MovingTarget, IsWithinItsEllipsoidAtAlmostAllPlaces) {
     const fs::path folder = fs::path(KAMBARA_DATA) / "moving_target";
     if (!fs::is_directory(folder)) {
         GTEST_SKIP() << "skipped: there is no folder of real recordings at " << KAMBARA_DATA;
@@ -51,7 +51,10 @@ TEST(MovingTarget, IsWithinItsRangeOf95PercentAtAlmostAllPlaces) {
                 seen[static_cast<std::size_t>(snapshot.frame)] = estimate.position;
             }
         });
-    // The template's centre is beside the target's by a part of a pixel, and stays so.
+    // The template's centre is beside the target's by a part of a pixel, and stays so. Both lie on
+    // the target's plane, which leans by these two slopes: the mean of what fit_plane says at the
+    // true places of all 29 pairs, 0.005 and 0.003 about it.
+    const Eigen::Vector2d slope(0.096, 0.149);
     const Rig rig = system->rig();
     const auto truth_rows = testing_support::rows_of_csv(folder / "truth.csv");
     const auto point_of = [](const std::vector<std::string>& row) {
@@ -61,9 +64,11 @@ TEST(MovingTarget, IsWithinItsRangeOf95PercentAtAlmostAllPlaces) {
     const RigidTransform T_rig_from_left = rig.left.T_camera_from_rig.inverse();
     const Eigen::Vector3d centre_in_rig = T_rig_from_left * point_of(truth_rows.front());
     const Ray ray = *rig.left.unproject({templ.centre_x_px(), templ.centre_y_px()});
+    const Eigen::Vector3d normal(-slope.x(), -slope.y(), 1.0);
     const Eigen::Vector3d beside =
         rig.left.T_camera_from_rig.R *
-        (ray.at((centre_in_rig.z() - ray.origin_mm.z()) / ray.direction.z()) - centre_in_rig);
+        (ray.at((centre_in_rig - ray.origin_mm).dot(normal) / ray.direction.dot(normal)) -
+         centre_in_rig);
     int places = 0;
     int inside = 0;
     int in_range = 0;
@@ -91,10 +96,9 @@ TEST(MovingTarget, IsWithinItsRangeOf95PercentAtAlmostAllPlaces) {
     std::printf("%d of %d places within their ellipsoids, %d within their ranges of 95 %%\n",
                 inside, places, in_range);
     EXPECT_EQ(places, 15);
-    // Noise alone is in the covariance. The target leans by some degrees, which the tracker takes
-    // for a turn of up to 3.6 degrees as it crosses the field: aside it is off by up to 0.2 px all
-    // the same, in both pictures alike, so that the range does not suffer.
-    EXPECT_GE(in_range, 13);
+    // 14 of 15 are 93 %.
+    EXPECT_GE(inside, 14);
+    EXPECT_GE(in_range, 14);
 }
 
 }  // namespace

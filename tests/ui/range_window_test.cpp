@@ -109,6 +109,8 @@ TEST(RangeExperimentInTheWindow, PlacesAreReadTypedMeasuredAndNotLostUnasked) {
     ASSERT_TRUE(form.can_press("measurePlace"));
     form.press("measurePlace");
     EXPECT_TRUE(form.text("rangeLive").contains("waiting"));
+    QTest::keyClick(&table, Qt::Key_Delete);
+    EXPECT_EQ(table.rowCount(), 2) << "the place that is being measured stays";
     page.drag(page.target());
     ASSERT_TRUE(WindowPage::until([&] { return table.measured() == 1; }, 30));
     EXPECT_EQ(table.readings(0).size(), 30U);

@@ -133,7 +133,7 @@ std::optional<Target> HeadWindow::target() {
 void HeadWindow::go(bool on) {
     const auto shown = on ? target() : std::nullopt;
     if (!shown) {
-        stop();
+        break_off();
         return;
     }
     const QString why_not = hindrance();
@@ -171,6 +171,14 @@ void HeadWindow::hold_target() {
         rig_.left.T_camera_from_rig * place_in_rig - T_left_from_target.R * middle_of(*held);
     hand_.hold(T_left_from_target, false);
     held_ = true;
+}
+
+// On its way to a position the head is halted as well.
+void HeadWindow::break_off() {
+    if (doing_ == Doing::going && sequence_.going() && asked_) {
+        emit command_asked(HaltHead{});
+    }
+    stop();
 }
 
 void HeadWindow::stop() {
@@ -234,6 +242,9 @@ void HeadWindow::look_for_target(const SnapshotPtr& snapshot) {
                 return;
             }
             detecting_ = false;
+            if (!newest_->head) {
+                return;
+            }
             if (!towards) {
                 if (clock_.elapsed() - since_ms_ > looking_ms) {
                     stop();
@@ -251,7 +262,7 @@ void HeadWindow::look_for_target(const SnapshotPtr& snapshot) {
                 say(tr("The target is seen. Hold it still\u2026"));
                 return;
             }
-            auto steps = head_steps_about(*towards, HeadLimits{});
+            auto steps = head_steps_about(*towards, newest_->head->limits);
             if (steps.size() < 8) {
                 stop();
                 say_failure(
@@ -327,7 +338,7 @@ QString HeadWindow::unsaved() const {
 }
 
 void HeadWindow::leave() {
-    stop();
+    break_off();
     if (held_ && hand_) {
         hand_.let_go();
         held_ = false;

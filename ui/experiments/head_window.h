@@ -76,6 +76,7 @@ class HeadWindow : public AssistantWindow {
     void add(const HeadRecorded& recorded);
     void hold_target();
     void stop();
+    void break_off();
     void changed();
     void solve();
     void clear_result();

@@ -263,7 +263,9 @@ QString LevellingWindow::warnings(const Found& found) const {
                                       "turned it by up to %1. Move straight up and down.")
                                        .arg(degrees(turn_rad)));
     }
-    if (levelling.mount.pitch_sigma_rad.value_or(0.0) > much_sigma_rad) {
+    const Mount& mount = levelling.mount;
+    if (std::max(mount.pitch_sigma_rad.value_or(0.0), mount.roll_sigma_rad.value_or(0.0)) >
+        much_sigma_rad) {
         sentences << tr("The angle is not known well yet: record more positions over more height.");
     }
     return sentences.join(QStringLiteral("\n"));

@@ -163,7 +163,11 @@ int PlaceTable::next_to_measure(int row) const {
 }
 
 void PlaceTable::keyPressEvent(QKeyEvent* event) {
+    const bool may_change = editTriggers() != QAbstractItemView::NoEditTriggers;
     if (event->key() == Qt::Key_Delete && state() != QAbstractItemView::EditingState) {
+        if (!may_change) {
+            return;  // a place is being measured
+        }
         remove_chosen();
         return;
     }

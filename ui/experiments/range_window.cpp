@@ -107,7 +107,8 @@ std::optional<Eigen::Vector3d> RangeWindow::known_in_left_mm(int row) const {
     if (!known || frame == QLatin1String("own")) {
         return std::nullopt;
     }
-    return frame == QLatin1String("rig") ? rig_.left.T_camera_from_rig * *known : *known;
+    const Rig& rig = table_->readings(row).empty() ? rig_ : measured_by_;
+    return frame == QLatin1String("rig") ? rig.left.T_camera_from_rig * *known : *known;
 }
 
 // What was measured by one rig is judged by its baseline.

@@ -122,6 +122,12 @@ TEST(Levelling, RefusesWhatTellsNoAngle) {
     EXPECT_FALSE(level_from_wall(across));
     EXPECT_FALSE(level_from_wall(wall(mounted(15, 0), 80.0, 0.0, 1)));
     EXPECT_FALSE(level_from_vertical(Points(20, Eigen::Vector3d(0, 0, 1500))));
+    // Swung aside it tells the pitch, but not the roll.
+    Points swung;
+    for (int i = 0; i < 10; ++i) {
+        swung.emplace_back(i % 2 == 0 ? 120.0 : -120.0, 110.0 * i, 1500.0);
+    }
+    EXPECT_FALSE(level_from_vertical(swung));
     auto lost = plumb_line(mounted(15, 0), 0.0, 1);
     lost[3].x() = NAN;
     EXPECT_FALSE(level_from_vertical(lost));

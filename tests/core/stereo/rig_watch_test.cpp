@@ -114,6 +114,22 @@ TEST(RigWatch, SaysNothingByFewMatchesOrOldOnes) {
     EXPECT_FALSE(watch.state());
 }
 
+TEST(RigWatch, BeginsAnewAfterAGap) {
+    RigWatch watch(exact_rig());
+    Matches matches(5);
+    for (int i = 0; i < 120; ++i) {
+        watch.add(time_of(i), matches.next(0.5));
+    }
+    ASSERT_TRUE(watch.state() && watch.state()->moved);
+    // Set right in the meantime but for less than the verdict needs; more than it takes to keep it.
+    for (int i = 1000; i < 1120; ++i) {
+        watch.add(time_of(i), matches.next(0.15));
+    }
+    ASSERT_TRUE(watch.state());
+    EXPECT_GT(watch.state()->offset_px, 0.5 * 4.0 * watch.state()->sigma_px);
+    EXPECT_FALSE(watch.state()->moved);
+}
+
 // A calibration that is known badly leaves more; a rig file that tells its residuals says so too.
 TEST(RigWatch, WeighsWhatTheCalibrationLeavesOpen) {
     Rig rig = nominal_rig();

@@ -172,7 +172,9 @@ TEST(VehicleTrack, SaysNothingOfTimesItDoesNotKnow) {
     EXPECT_FALSE(track.between(0, 10));
     track.add({100'000'000, {1, 0, 0}, {0, 0, 0}});
     track.add({50'000'000, {9, 0, 0}, {0, 0, 0}});  // older: passed over
-    track.add({150'000'000, {NAN, 0, 0}, {0, 0, 0}});
+    EXPECT_FALSE(track.add({150'000'000, {NAN, 0, 0}, {0, 0, 0}}));
+    EXPECT_FALSE(track.add({150'000'000, {9, 0, 0}, {0, 0, 0}, NAN}));
+    EXPECT_FALSE(track.add({150'000'000, {9, 0, 0}, {0, 0, 0}, 20.0, -0.01}));
     EXPECT_FALSE(track.between(0, 110'000'000));
     ASSERT_TRUE(track.between(100'000'000, 300'000'000));
     EXPECT_NEAR(track.between(100'000'000, 300'000'000)->T_now_from_then.t_mm.x(), -0.2, 1e-12);
