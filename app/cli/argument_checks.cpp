@@ -5,8 +5,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <vector>
+
+#include "core/image/rectangle.h"
 
 namespace kambara::cli {
 namespace {
@@ -49,6 +52,37 @@ CLI::Validator not_negative() {
 
 CLI::Validator above_zero() {
     return number_check("more than 0", [](double value) { return value > 0.0; });
+}
+
+CLI::Validator numbers(int count, const std::string& form) {
+    return CLI::Validator(
+        [count, form](std::string& text) {
+            std::istringstream parts(text);
+            std::string part;
+            int found = 0;
+            bool good = !text.empty() && text.back() != ',';
+            while (std::getline(parts, part, ',')) {
+                char* end = nullptr;
+                good &=
+                    !part.empty() && std::isfinite(std::strtod(part.c_str(), &end)) && *end == '\0';
+                ++found;
+            }
+            return good && found == count ? std::string()
+                                          : "\"" + text + "\" is not understood: give " + form;
+        },
+        "");
+}
+
+CLI::Validator a_rectangle(bool or_auto) {
+    return CLI::Validator(
+        [or_auto](std::string& text) {
+            if (or_auto && text == "auto") {
+                return std::string();
+            }
+            const auto rectangle = parse_rectangle(text);
+            return rectangle ? std::string() : rectangle.error().text();
+        },
+        "");
 }
 
 std::string clash_of_files(const CLI::App& command) {

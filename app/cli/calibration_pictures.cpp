@@ -9,6 +9,7 @@
 #include "core/base/worker_pool.h"
 #include "core/calibration/target_detector.h"
 #include "hardware/media/picture_file.h"
+#include "hardware/media/picture_pairs.h"
 
 namespace kambara::cli {
 namespace {
@@ -77,6 +78,9 @@ Result<CalibrationFiles> calibration_files(const std::array<std::string, most_ca
                              std::to_string(files.of_camera[c].size()) + " " + camera_names[c] +
                              " pictures.",
                          "Give pairs: the same number on both sides, in the same order."};
+        }
+        if (const auto pairs = check_pairs(files.of_camera[0], files.of_camera[c]); !pairs) {
+            return pairs.error();
         }
     }
     return files;

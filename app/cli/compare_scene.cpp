@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/cli/compare_truth.h"
+#include "core/matching/texture.h"
 #include "hardware/simulated/simulated_world.h"
 
 namespace kambara::cli {
@@ -214,6 +215,10 @@ Result<std::vector<CompareScene>> recorded_scenes(const RecordedOptions& options
             if (const auto read = read_truth(options.truth, scenes[i]); !read) {
                 return read.error();
             }
+        }
+        const Frame& first = scenes[i].pairs.front().left;
+        if (auto fits = check_template(*grey_from(first.picture), rectangles[i]); !fits) {
+            return fits.error();
         }
     }
     return scenes;

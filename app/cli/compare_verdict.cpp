@@ -56,12 +56,12 @@ std::string how_near(const SceneResult& result, std::size_t shipped) {
         return "";
     }
     char text[160];
-    if (error <= 1.02 * result.scores[*nearest].range_error_pct) {
-        std::snprintf(text, sizeof text, " Its range error of %.3f %% is the least of the robust.",
-                      error);
+    if (error <= result.scores[*nearest].range_error_pct) {
+        std::snprintf(text, sizeof text,
+                      " Its range error of %.4f %% is the least of the most robust.", error);
     } else {
         std::snprintf(text, sizeof text,
-                      " Its range error is %.3f %%; of the most robust, %s has the least, %.3f %%.",
+                      " Its range error is %.4f %%; of the most robust, %s has the least, %.4f %%.",
                       error, label_of(result.runs[*nearest].method).c_str(),
                       result.scores[*nearest].range_error_pct);
     }

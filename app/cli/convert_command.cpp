@@ -44,7 +44,7 @@ std::optional<PictureSize> size_beside(const fs::path& calibration) {
     return std::nullopt;
 }
 
-Result<Rig> imported(const ConvertOptions& options) {
+std::optional<Error> misused(const ConvertOptions& options) {
     const std::size_t wanted = options.from == "opencv" || options.from == "ros" ? 2 : 1;
     const bool known = wanted == 2 || options.from == "kalibr" || options.from == "kitti";
     if (!known) {
@@ -57,6 +57,13 @@ Result<Rig> imported(const ConvertOptions& options) {
                      "opencv: intrinsics.yml extrinsics.yml; ros: left.yaml right.yaml; kalibr: "
                      "camchain.yaml; kitti: calib.txt."};
     }
+    if (!options.out) {
+        return Error{"Nothing says where to write the rig file.", "Name it with --out."};
+    }
+    return std::nullopt;
+}
+
+Result<Rig> imported(const ConvertOptions& options) {
     std::optional<PictureSize> size;
     if (options.size) {
         const auto parsed = parse_size(*options.size);
@@ -89,9 +96,15 @@ Outcome failed(const Error& error) {
     return {error, Json{{"error", error.text()}}.dump(2), ""};
 }
 
+Outcome wrong_usage(const Error& error) {
+    Outcome outcome = failed(error);
+    outcome.wrong_usage = true;
+    return outcome;
+}
+
 Outcome import_rig(const ConvertOptions& options) {
-    if (!options.out) {
-        return failed({"Nothing says where to write the rig file.", "Name it with --out."});
+    if (const auto fault = misused(options)) {
+        return wrong_usage(*fault);
     }
     auto rig = imported(options);
     if (!rig) {
@@ -116,8 +129,8 @@ Outcome import_rig(const ConvertOptions& options) {
 
 Outcome export_rig(const ConvertOptions& options) {
     if (options.files.size() != 2) {
-        return failed({"Converting to " + options.to + " takes a rig file and a folder.",
-                       "For example: convert rig.yaml --to " + options.to + " folder."});
+        return wrong_usage({"Converting to " + options.to + " takes a rig file and a folder.",
+                            "For example: convert rig.yaml --to " + options.to + " folder."});
     }
     const auto rig = read_rig_file(options.files[0]);
     if (!rig) {
@@ -177,8 +190,8 @@ Outcome export_rig(const ConvertOptions& options) {
                     .dump(2),
                 summary};
     }
-    return failed({"There is no format \"" + options.to + "\" to convert to.",
-                   "Choose opencv, ros or kalibr."});
+    return wrong_usage({"There is no format \"" + options.to + "\" to convert to.",
+                        "Choose opencv, ros or kalibr."});
 }
 
 }  // namespace

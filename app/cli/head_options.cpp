@@ -13,12 +13,19 @@ CLI::App* add_pan_tilt(CLI::App& app, PanTiltOptions& o) {
                   "visca:/dev/ttyS0?address=1, visca-udp:HOST:PORT, visca-udp-raw:HOST:PORT or "
                   "visca-tcp:HOST:PORT")
         ->required();
-    c->add_option("action", o.action,
-                  "position; move PAN,TILT (degrees); drive PAN,TILT (degrees a second); halt; "
-                  "home; reset; zoom SHARE (0 wide to 1 tele); focus SHARE (0 far to 1 near) or "
-                  "auto; keep N; recall N")
+    c->add_option(
+         "action", o.action,
+         "position; move PAN,TILT (degrees); drive PAN,TILT (degrees a second, the nearest that "
+         "the head has); halt; "
+         "home; reset; zoom SHARE (0 wide to 1 tele); focus SHARE (0 far to 1 near) or "
+         "auto; keep N; recall N")
         ->capture_default_str();
     c->add_option("value", o.value, "What the action needs");
+    c->add_option(
+         "--seconds", o.seconds,
+         "Of a drive: halt after so long. Without it the head turns on to its end, or until "
+         "halt")
+        ->check(above_zero());
     return c;
 }
 

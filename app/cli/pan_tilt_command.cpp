@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -24,6 +25,7 @@ constexpr std::chrono::milliseconds lens_at_rest_for{1500};
 constexpr std::chrono::seconds longest_motion{30};
 // All that is told of the lens comes with the first three questions.
 constexpr std::chrono::milliseconds lens_patience{2000};
+constexpr double lens_tolerance = 0.01;
 
 std::optional<double> number_in(const std::string& text) {
     double value = 0.0;
@@ -111,6 +113,36 @@ Result<Done> wait_until_at_rest(PanTiltCamera& head, std::chrono::milliseconds r
     return Done{};
 }
 
+// What was asked for stands only where the head says so: a question that was lost leaves an old
+// answer.
+Result<Done> check_lens(PanTiltCamera& head, const PanTiltOptions& options) {
+    const auto wanted = number_in(options.value);
+    const bool zoom = options.action == "zoom";
+    if (!wanted || (!zoom && options.action != "focus")) {
+        return Done{};
+    }
+    const auto lens = head.lens();
+    if (!lens) {
+        return lens.error();
+    }
+    const double told = zoom ? lens->zoom_share : lens->focus_share;
+    if (std::abs(told - *wanted) <= lens_tolerance) {
+        return Done{};
+    }
+    char cause[160];
+    std::snprintf(cause, sizeof cause, "The head was sent to %s %.3f and tells %.3f.",
+                  options.action.c_str(), *wanted, told);
+    return Error{cause, "Ask again (pan-tilt position); if it stays so, check the line."};
+}
+
+void turn_for(PanTiltCamera& head, double seconds) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    while (std::chrono::steady_clock::now() < until && !interrupted()) {
+        std::this_thread::sleep_for(look_interval);
+        (void)head.status();  // keeps the line busy, so that what fails is told
+    }
+}
+
 std::string summary_of(const nlohmann::json& told) {
     char text[160];
     std::snprintf(text, sizeof text, "%s: pan %+.2f deg, tilt %+.2f deg%s",
@@ -151,13 +183,23 @@ Outcome run_pan_tilt(const PanTiltOptions& options) {
     while (!head.lens() && std::chrono::steady_clock::now() < lens_until) {
         std::this_thread::sleep_for(look_interval);
     }
-    if (options.action != "drive" && options.action != "position") {
+    const bool drives = options.action == "drive";
+    if (drives && options.seconds) {
+        turn_for(head, *options.seconds);
+        if (const auto halted = head.halt(); !halted) {
+            return Outcome{halted.error()};
+        }
+    }
+    if ((!drives || options.seconds) && options.action != "position") {
         const bool lens =
             options.action == "zoom" || options.action == "focus" || options.action == "recall";
         if (const auto rests = wait_until_at_rest(head, lens ? lens_at_rest_for : at_rest_for);
             !rests) {
             return Outcome{rests.error()};
         }
+    }
+    if (const auto lens = check_lens(head, options); !lens) {
+        return Outcome{lens.error()};
     }
     const auto status = head.status();
     if (!status) {
@@ -178,7 +220,11 @@ Outcome run_pan_tilt(const PanTiltOptions& options) {
         told["autofocus"] = lens->autofocus;
         told["focus_share"] = lens->focus_share;
     }
-    return Outcome{std::nullopt, told.dump(2), summary_of(told)};
+    std::string summary = summary_of(told);
+    if (drives && !options.seconds) {
+        summary += "It turns on until it is halted (pan-tilt halt) or at its end.\n";
+    }
+    return Outcome{std::nullopt, told.dump(2), summary};
 }
 
 }  // namespace kambara::cli

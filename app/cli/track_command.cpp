@@ -328,11 +328,15 @@ Result<nlohmann::json> track(const TrackOptions& options) {
 
 std::string summary_of(const nlohmann::json& report, const TrackOptions& options) {
     char line[256];
+    std::string text = report.contains("targets") ? "The steered target: " : "";
     std::snprintf(line, sizeof line, "%lld of %lld frames tracked (%.1f %%), %.2f ms a pair.\n",
                   report["tracked_frames"].get<long long>(), report["frames"].get<long long>(),
                   100.0 * report["tracked_fraction"].get<double>(),
                   report["processing_ms_mean"].get<double>());
-    std::string text = line;
+    text += line;
+    if (options.sources.right.empty() && !options.sources.rig.empty()) {
+        text += "Without --right pictures there are no positions.\n";
+    }
     if (report.contains("truth") && report["tracked_frames"].get<long long>() > 0) {
         const auto& truth = report["truth"];
         std::snprintf(line, sizeof line,

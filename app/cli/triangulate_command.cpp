@@ -15,6 +15,7 @@ namespace kambara::cli {
 namespace {
 
 struct PixelPair {
+    int line = 0;
     Eigen::Vector2d left;
     Eigen::Vector2d right;
 };
@@ -37,6 +38,7 @@ Result<std::vector<PixelPair>> read_points(const std::filesystem::path& path) {
         }
         std::istringstream words(line);
         PixelPair pair;
+        pair.line = number;
         std::string rest;
         words >> pair.left.x() >> pair.left.y() >> pair.right.x() >> pair.right.y();
         if (!words || (words >> rest)) {
@@ -83,9 +85,10 @@ nlohmann::json row_of(const Result<Position>& position) {
     return row;
 }
 
-std::string line_of(const nlohmann::json& row) {
+std::string line_of(const nlohmann::json& row, int number) {
     if (row["x_mm"].is_null()) {
-        return "no position: " + row["reason"].get<std::string>() + "\n";
+        return "line " + std::to_string(number) +
+               ": no position: " + row["reason"].get<std::string>() + "\n";
     }
     const auto value = [&](const char* key) { return row[key].get<double>(); };
     char line[200];
@@ -136,11 +139,18 @@ Outcome run_triangulate(const TriangulateOptions& options) {
                            : "   (the rig file tells no uncertainty of the calibration)\n";
     PositionOptions position_options;
     position_options.method = *method;
+    int positions = 0;
     for (const PixelPair& pair : *pairs) {
         rows.push_back(
             row_of(position_from_pair(*rig, PixelMeasurement{pair.left, covariance},
                                       PixelMeasurement{pair.right, covariance}, position_options)));
-        outcome.summary += line_of(rows.back());
+        outcome.summary += line_of(rows.back(), pair.line);
+        positions += rows.back()["x_mm"].is_null() ? 0 : 1;
+    }
+    if (positions == 0) {
+        outcome.failure =
+            Error{"None of the " + std::to_string(pairs->size()) + " pairs gives a position.",
+                  "The table tells why; check that the rig file is the cameras'."};
     }
     outcome.json = nlohmann::json{{"method", options.method}, {"points", std::move(rows)}}.dump(2);
     return outcome;

@@ -8,6 +8,8 @@
 #include "core/camera/nominal_rig.h"
 #include "core/camera/rig_file.h"
 #include "hardware/media/open_media.h"
+#include "hardware/media/picture_file.h"
+#include "hardware/media/picture_pairs.h"
 #include "hardware/simulated/held_target.h"
 #include "hardware/simulated/simulated_grabber.h"
 #include "hardware/simulated/simulated_head.h"
@@ -140,6 +142,13 @@ Result<Sources> open_recordings(const SourceOptions& options) {
             return right.error();
         }
         sources.parts.grabbers.right = std::move(*right);
+        const auto lefts = files_of_pattern(options.left);
+        const auto rights = files_of_pattern(options.right);
+        if (lefts && rights && lefts->size() > 1) {  // two videos are a pair by their place
+            if (const auto pairs = check_pairs(*lefts, *rights); !pairs) {
+                return pairs.error();
+            }
+        }
     }
     return sources;
 }

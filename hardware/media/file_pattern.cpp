@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int longest_gap = 1000;
 constexpr int last_first_number = 100000;  // a printf pattern's numbers may begin this late
 
 // `*` stands for any run of characters, `?` for any one.
@@ -101,6 +102,15 @@ Result<std::vector<fs::path>> files_of_numbers(const std::string& pattern) {
     for (fs::path file = numbered(*form, number); fs::exists(file, code);
          file = numbered(*form, ++number)) {
         files.push_back(file);
+    }
+    for (int later = number + 1; later < number + longest_gap && !files.empty(); ++later) {
+        if (fs::exists(numbered(*form, later), code)) {
+            return Error{numbered(*form, number).string() +
+                             " is missing: the pictures go on with " +
+                             numbered(*form, later).string() + ".",
+                         "Bring what is missing; or name them by *, and they are taken as they "
+                         "are."};
+        }
     }
     return files;
 }

@@ -26,7 +26,7 @@ Result<Done> write_float_tiff(const std::filesystem::path& path, const std::vect
 
 /// The files that a pattern names, in order: `*` and `?` in the last part of the path (sorted by
 /// name, digits by value), a printf form such as `left/%06d.png` (from the first number at which a
-/// file exists, up to the first gap), or one file. Refuses a pattern that names nothing.
+/// file exists), or one file. Refuses a pattern that names nothing, and numbers with a gap.
 Result<std::vector<std::filesystem::path>> files_of_pattern(const std::filesystem::path& pattern);
 
 }  // namespace kambara

@@ -135,6 +135,16 @@ TEST_F(BadInputTest, WrongUsageIsTwo) {
           {"simulate", "--out", "x", "--seconds", "-3"},
           {"match", "left/000000.png", "left/000001.png", "--measure", "ssd"},
           {"convert", "rig.yaml", "--to", "paper", "out"},
+          {"convert", "--from", "opencv", "calib.txt", "--out", "x.yaml"},
+          {"calibrate", "--left", "a", "--target", "chessboard:9x6:30", "--model", "tsai", "--out",
+           "x.yaml"},
+          {"calibrate", "--left", "a", "--target", "chessboard:9x6:30", "--baseline", "100",
+           "--out", "x.yaml"},
+          {"track", "--left", "a", "--template", "100,100,31", "--csv", "x"},
+          {"track", "--left", "a", "--template", "100,100,-31,31", "--csv", "x"},
+          {"track", "--left", "a", "--template", "1,2,31,31", "--csv", "x", "--steer", "3"},
+          {"track", "--left", "a", "--template", "1,2,31,31", "--csv", "x", "--frame", "bogus"},
+          {"track", "--left", "a", "--template", "1,2,31,31", "--csv", "x", "--measure", "hamming"},
           {"track", "--left", "a", "--template", "auto", "--csv", "x", "--rate", "0"}}) {
         const Finished finished = run(arguments);
         EXPECT_EQ(finished.exit_code, 2) << finished.errors;
@@ -142,6 +152,13 @@ TEST_F(BadInputTest, WrongUsageIsTwo) {
     }
     EXPECT_EQ(run({"--help"}).exit_code, 0);
     EXPECT_EQ(run({"track", "--help"}).exit_code, 0);
+}
+
+TEST_F(BadInputTest, APictureThatIsMissingBetweenOthersIsNamed) {
+    fs::remove(folder_ / "left" / "000002.png");
+    expect_refused(track(good_template_), "left/000002.png is missing", "name them by *");
+    expect_refused(track(good_template_, "rig.yaml", "left/*.png", "right/*.png"),
+                   "right/000002.png has no partner", "Bring its partner");
 }
 
 TEST_F(BadInputTest, MissingFiles) {
@@ -239,8 +256,6 @@ TEST_F(BadInputTest, TemplatesThatCannotBeFollowed) {
     expect_refused(track("620,10,31,31"), "not inside the picture", "wholly inside");
     expect_refused(track("40,20,31,31"), "no texture", "marks or edges");  // open water
     expect_refused(track("100,100,3,3"), "too small", "at least 7 x 7");
-    expect_refused(track("100,100,31"), "does not have four numbers", "X,Y,W,H");
-    expect_refused(track("100,100,-31,31"), "no area", "X,Y,W,H");
     expect_refused(track("auto"), "Only a simulated rig", "--template X,Y,W,H");
 }
 

@@ -31,7 +31,7 @@ class CalibrateExpectedTest : public testing::Test {
         for (int i = 0; i < 10; ++i) {
             for (const auto& [camera, side] :
                  {std::pair{FixedCamera::left, 'l'}, std::pair{FixedCamera::right, 'r'}}) {
-                char name[16];
+                char name[24];
                 std::snprintf(name, sizeof name, "%c%02d.png", side, i);
                 ASSERT_TRUE(write_picture(folder_ / name, world.picture(camera, 15 + 30 * i)));
             }

@@ -97,6 +97,7 @@ TEST_F(CompareMethods, RefusesWhatItCannotCompare) {
         return more;
     };
     expect_refused(recording, "--template X,Y,W,H");
+    expect_refused(with({"--template", "5000,5,31,31"}), "5000");
     expect_refused(with({"--template", templ_, "--truth", "sea/rig.yaml"}), "first frame");
     expect_refused(with({"--template", "20,20,31,31", "--truth", "sea/truth.csv"}),
                    "px from the point");

@@ -58,6 +58,13 @@ TEST_F(RealHeadTest, IsDrivenFromTheCommandLine) {
     EXPECT_NEAR(moved["tilt_deg"].get<double>(), -6.0, 0.05);
     EXPECT_FALSE(moved["moving"].get<bool>());
     EXPECT_EQ(told("home")["pan_deg"], 0.0);
+    // Half a second at 20 degrees a second, and then it stands.
+    cli::PanTiltOptions drive{serial_, "drive", "20,0"};
+    drive.seconds = 0.5;
+    const auto driven = nlohmann::json::parse(cli::run_pan_tilt(drive).json);
+    EXPECT_FALSE(driven["moving"].get<bool>());
+    EXPECT_NEAR(driven["pan_deg"].get<double>(), 10.0, 4.0);
+    EXPECT_EQ(told("home")["pan_deg"], 0.0);
     const auto refused = cli::run_pan_tilt({serial_, "move", "101,0"});
     ASSERT_TRUE(refused.failure.has_value());
     EXPECT_FALSE(refused.wrong_usage);

@@ -52,6 +52,16 @@ TEST_F(PictureGrabberTest, BeginsAtAFrameAndKeepsTheNumbering) {
     EXPECT_FALSE(open_media(path("%d.png"), {.start = -1}));
 }
 
+TEST_F(PictureGrabberTest, AGapInTheNumbersIsNoEnd) {
+    write_numbered(5);
+    ASSERT_TRUE(std::filesystem::remove(path("2.png")));
+    const auto numbered = open_media(path("%d.png"));
+    ASSERT_FALSE(numbered);
+    EXPECT_NE(numbered.error().cause.find("2.png is missing"), std::string::npos);
+    EXPECT_NE(numbered.error().cause.find("3.png"), std::string::npos);
+    EXPECT_TRUE(open_media(path("*.png")));
+}
+
 TEST_F(PictureGrabberTest, NamesThePictureOfAnotherSizeAndStaysFailed) {
     write_numbered(2);
     ASSERT_TRUE(write_picture(path("2.png"), Image(40, 24)));
