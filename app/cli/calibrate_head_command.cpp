@@ -17,6 +17,8 @@
 namespace kambara::cli {
 namespace {
 
+constexpr double worth_saying = 1.15;  // of the RMS with the model: less may be chance
+
 int side_of(const NamedRow& row, const char* column) {
     const auto cell = row.cells.find(column);
     return cell == row.cells.end()   ? 0
@@ -102,7 +104,11 @@ std::string summary_of(const HeadCalibration& result, std::size_t rejected) {
         "mm off the tilt axis.\n",
         result.views, rejected, result.points, result.rms_px, result.rms_without_model_px,
         model.tilt_axis_ahead_mm, model.T_camera_from_tilt.centre_mm().tail<2>().norm());
-    return text +
+    std::string worth;
+    if (result.rms_without_model_px < worth_saying * result.rms_px) {
+        worth = "That hardly differs: the camera may as well turn about its own centre.\n";
+    }
+    return text + worth +
            backlash("pan", result.pan_backlash_seen, model.pan_backlash_rad,
                     result.pan_backlash_sigma_rad) +
            backlash("tilt", result.tilt_backlash_seen, model.tilt_backlash_rad,

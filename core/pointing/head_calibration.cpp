@@ -110,6 +110,24 @@ class Problem {
     int points_ = 0;
 };
 
+// Each view's points were placed by one look of the fixed cameras and err together: their sums
+// scatter from view to view by more than single pixels' would (the sandwich estimator, clustered by
+// view: Liang and Zeger, Biometrika 73, 1986).
+Square covariance_by_views(const Square& information, const Eigen::MatrixXd& J,
+                           const Eigen::VectorXd& errors, const std::vector<HeadView>& views) {
+    Square scatter = Square::Zero();
+    Eigen::Index row = 0;
+    for (const HeadView& view : views) {
+        const auto rows = static_cast<Eigen::Index>(2 * view.sightings.size());
+        const Step sum = J.middleRows(row, rows).transpose() * errors.segment(row, rows);
+        scatter += sum * sum.transpose();
+        row += rows;
+    }
+    const double told = 3.0 * static_cast<double>(views.size());  // a place a view at least
+    const Square inverse = information.inverse();
+    return told / std::max(1.0, told - numbers) * inverse * scatter * inverse;
+}
+
 double span(const std::vector<HeadView>& views, double HeadAngles::*angle) {
     const auto [least, most] = std::minmax_element(
         views.begin(), views.end(),
@@ -164,12 +182,14 @@ Result<HeadCalibration> calibrate_head(const Rig& rig, const std::vector<HeadVie
     result.rms_without_model_px = problem.rms_px(*errors);
     double damping = 1e-3;
     Square information = Square::Identity();
+    Square by_views = Square::Zero();
     for (int round = 0; round < 100; ++round) {
         const auto J = problem.derivatives(model);
         if (!J) {
             break;
         }
         information = J->transpose() * *J;
+        by_views = covariance_by_views(information, *J, *errors, views);
         const Step gradient = J->transpose() * *errors;
         bool better = false;
         double gain = 0.0;
@@ -204,7 +224,8 @@ Result<HeadCalibration> calibrate_head(const Rig& rig, const std::vector<HeadVie
     // The scatter that was found, not the one assumed, says how well the numbers are known.
     const double scale = errors->squaredNorm() / std::max(1, 2 * problem.points() - numbers);
     const Square covariance = scale * information.inverse();
-    const Step sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const Step sigma =
+        covariance.diagonal().cwiseMax(by_views.diagonal()).cwiseMax(0.0).cwiseSqrt();
     result.tilt_axis_ahead_sigma_mm = sigma[6];
     result.camera_from_tilt_sigma_mm = sigma.segment<3>(11);
     result.pan_backlash_seen = from_both_sides(views, &HeadApproach::pan);

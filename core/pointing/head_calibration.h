@@ -52,7 +52,9 @@ struct HeadCalibration {
 /// of the pixels' errors (Levenberg-Marquardt), the rig being given: sixteen numbers, which are the
 /// base's pose, both lever arms, the skew, the camera's turn on its axis and both backlashes. What
 /// the views leave open is held near nothing by weak beliefs: levers to 200 mm, skew and the
-/// camera's turn to 6 degrees, backlash to 3. The deviations are the pixels' scatter carried over.
+/// camera's turn to 6 degrees, backlash to 3. The deviations are the pixels' scatter
+/// carried over, or the views' where that says more; an error that all views share, such as the
+/// rig's own, is in neither.
 /// Needs a pan-tilt camera in the rig, whose pose is the start. Refuses: too few views or too small
 /// a span, points that the start puts behind the camera, an RMS beyond the gate.
 Result<HeadCalibration> calibrate_head(const Rig& rig, const std::vector<HeadView>& views,

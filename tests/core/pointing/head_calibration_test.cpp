@@ -147,6 +147,33 @@ TEST(HeadCalibration, MeasuresTheBacklashFromBothSides) {
     EXPECT_EQ(one_side->model.pan_backlash_rad, 0.0);
 }
 
+// What the fixed cameras make of the board's place is off by the same for all points of a view.
+TEST(HeadCalibration, ItsDeviationsHoldWherePlacesErrTogether) {
+    const Rig truth = rig_with_head();
+    Rig without = truth;
+    without.head.reset();
+    double squared = 0.0;
+    constexpr int cases = 60;
+    for (unsigned seed = 0; seed < cases; ++seed) {
+        auto views = views_of(truth, 0.05, true, seed);
+        std::mt19937 random(seed + 1000);
+        std::normal_distribution<double> place_mm(0.0, 1.0);
+        for (HeadView& view : views) {
+            const Eigen::Vector3d off(place_mm(random), place_mm(random), place_mm(random));
+            for (HeadSighting& one : view.sightings) {
+                one.point_in_rig_mm += off;
+            }
+        }
+        const auto result = calibrate_head(without, views);
+        ASSERT_TRUE(result) << result.error().text();
+        const double off_mm = result->model.tilt_axis_ahead_mm - truth.head->tilt_axis_ahead_mm;
+        squared += std::pow(off_mm / result->tilt_axis_ahead_sigma_mm, 2) / cases;
+    }
+    std::printf("squared error by variance: %.2f\n", squared);
+    EXPECT_GT(squared, 0.5);
+    EXPECT_LT(squared, 1.7);
+}
+
 TEST(HeadCalibration, TheAimPutsThePointOnTheAxis) {
     const Rig truth = rig_with_head();
     EXPECT_LT(aim_of(truth, truth, 300.0).worst_deg, 1e-8);
