@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "core/report/chart_axis.h"
 #include "core/report/chart_parts.h"
 
 namespace kambara {
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int bar_height = 16;
 constexpr int bar_step = 20;
-constexpr int label_width = 170;
+constexpr int least_label_width = 170;
 constexpr int bars_width = 420;
 constexpr int value_width = 110;
 constexpr double square_side = 260.0;
@@ -122,8 +123,10 @@ void HtmlReport::add_table(const std::vector<std::string>& header,
 void HtmlReport::bars(std::string_view title, std::string_view unit, const std::vector<Bar>& bars,
                       int decimals) {
     double most = 0.0;
+    int label_width = least_label_width;
     for (const Bar& bar : bars) {
         most = std::max(most, std::isfinite(bar.value) ? bar.value : 0.0);
+        label_width = std::max(label_width, 16 + static_cast<int>(text_width(bar.label.size())));
     }
     const int height = static_cast<int>(bars.size()) * bar_step + 30;
     const int width = label_width + bars_width + value_width;
@@ -195,28 +198,33 @@ void HtmlReport::lines(std::string_view title, std::string_view across, std::str
             farthest = std::max(farthest, std::isfinite(point.x) ? point.x : 0.0);
         }
     }
+    const ChartAxis x_axis = axis_of(0.0, std::max(farthest, 1e-9));
+    const ChartAxis y_axis = axis_of(0.0, top);
     const double bottom = square_top + lines_height;
     const double right = square_left + lines_width;
     const auto x_of = [&](double x) {
-        return fixed_text(square_left + lines_width * x / std::max(farthest, 1e-9), 1);
+        return fixed_text(square_left + lines_width * x_axis.share(x), 1);
     };
-    const auto y_of = [&](double y) { return fixed_text(bottom - lines_height * y / top, 1); };
+    const auto y_of = [&](double y) {
+        return fixed_text(bottom - lines_height * y_axis.share(y), 1);
+    };
     const auto text = [&](const std::string& x, const std::string& y, const std::string& more,
                           std::string_view what) {
         body_ +=
             "<text x=\"" + x + "\" y=\"" + y + "\"" + more + ">" + html_escaped(what) + "</text>";
     };
-    body_ += "<svg width=\"" + fixed_text(right + 220, 0) + "\" height=\"" +
+    body_ += "<svg width=\"" + fixed_text(right + legend_width(series), 0) + "\" height=\"" +
              fixed_text(bottom + 44, 0) + "\" role=\"img\">";
     text("0", "14", " font-weight=\"bold\"", title);
-    for (int i = 0; i <= 5; ++i) {
-        const double mark = top * i / 5;
+    for (double mark = 0.0; mark < x_axis.to + 0.5 * x_axis.step; mark += x_axis.step) {
+        text(x_of(mark), fixed_text(bottom + 16, 1), " text-anchor=\"middle\"",
+             fixed_text(mark, x_axis.decimals));
+    }
+    for (double mark = 0.0; mark < y_axis.to + 0.5 * y_axis.step; mark += y_axis.step) {
         body_ += "<line x1=\"" + fixed_text(square_left, 1) + "\" y1=\"" + y_of(mark) + "\" x2=\"" +
                  fixed_text(right, 1) + "\" y2=\"" + y_of(mark) + "\" stroke=\"#e4e9ee\"/>";
         text(fixed_text(square_left - 8, 1), y_of(mark), " dy=\"4\" text-anchor=\"end\"",
-             fixed_text(mark, top < 5 ? 1 : 0));
-        text(x_of(farthest * i / 5), fixed_text(bottom + 16, 1), " text-anchor=\"middle\"",
-             fixed_text(farthest * i / 5, 1));
+             fixed_text(mark, y_axis.decimals));
     }
     text(fixed_text(square_left + 0.5 * lines_width, 1), fixed_text(bottom + 34, 1),
          " text-anchor=\"middle\"", across);
@@ -244,8 +252,10 @@ void HtmlReport::lines(std::string_view title, std::string_view across, std::str
             }
             drawing = known;
         }
-        body_ +=
-            "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"2\"/>";
+        // The later, the thinner: of two lines in one place both are seen.
+        const double thickness = 2.0 + 1.5 * static_cast<double>(series.size() - 1 - i);
+        body_ += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour +
+                 "\" stroke-width=\"" + fixed_text(thickness, 1) + "\"/>";
         text(fixed_text(right + 14, 1), fixed_text(label_y, 1), " fill=\"" + colour + "\"",
              series[i].label);
         label_y += 18.0;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/report/chart_axis.h"
 #include "core/report/chart_parts.h"
 #include "core/report/html_report.h"
 
@@ -13,32 +14,6 @@ constexpr double width = 460.0;
 constexpr double height = 260.0;
 constexpr double left = 70.0;
 constexpr double top = 30.0;
-
-// The marks of an axis: 1, 2 or 5 times a power of ten apart, around all of the values.
-struct Axis {
-    double from = 0.0;
-    double to = 1.0;
-    double step = 0.2;
-    int decimals = 1;
-
-    double share(double value) const { return (value - from) / (to - from); }
-};
-
-Axis axis_of(double least, double most) {
-    if (!(most > least)) {
-        const double room = std::max(1e-3, 0.1 * std::abs(least));
-        return axis_of(least - room, most + room);
-    }
-    const double rough = (most - least) / 5.0;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    const double ratio = rough / power;
-    Axis axis;
-    axis.step = power * (ratio <= 1.0 ? 1.0 : ratio <= 2.0 ? 2.0 : ratio <= 5.0 ? 5.0 : 10.0);
-    axis.from = axis.step * std::floor(least / axis.step + 1e-9);
-    axis.to = axis.step * std::ceil(most / axis.step - 1e-9);
-    axis.decimals = std::clamp(static_cast<int>(-std::floor(std::log10(axis.step) + 1e-9)), 0, 6);
-    return axis;
-}
 
 std::string text_at(double x, double y, const std::string& more, std::string_view what) {
     return "<text x=\"" + fixed_text(x, 1) + "\" y=\"" + fixed_text(y, 1) + "\"" + more + ">" +
@@ -65,13 +40,13 @@ void HtmlReport::scatter(std::string_view title, std::string_view across, std::s
         paragraph(std::string(title) + ": there are no points to draw.");
         return;
     }
-    const Axis x_axis = axis_of(range[0], range[1]);
-    const Axis y_axis = axis_of(range[2], range[3]);
+    const ChartAxis x_axis = axis_of(range[0], range[1]);
+    const ChartAxis y_axis = axis_of(range[2], range[3]);
     const auto x_of = [&](double x) { return left + width * x_axis.share(x); };
     const auto y_of = [&](double y) { return top + height * (1.0 - y_axis.share(y)); };
     const double bottom = top + height;
     const double right = left + width;
-    body_ += "<svg width=\"" + fixed_text(right + 220, 0) + "\" height=\"" +
+    body_ += "<svg width=\"" + fixed_text(right + legend_width(series), 0) + "\" height=\"" +
              fixed_text(bottom + 44, 0) + "\" role=\"img\">" +
              text_at(0, 14, " font-weight=\"bold\"", title);
     const auto grid = [&](double x1, double y1, double x2, double y2, bool zero) {

@@ -109,11 +109,11 @@ class SdlGamepad final : public GamepadBase {
         SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
         const bool begun = SDL_InitSubSystem(subsystems) == 0;
         begun_.set_value(begun ? std::string() : std::string(SDL_GetError()));
-        if (!begun) {
-            return;
+        if (begun) {
+            poll_until(stop);
+            SDL_QuitSubSystem(subsystems);
         }
-        poll_until(stop);
-        SDL_QuitSubSystem(subsystems);
+        SDL_TLSCleanup();  // SDL knows only of the end of its own threads
     }
 
     void poll_until(const std::stop_token& stop) {
