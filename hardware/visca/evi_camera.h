@@ -22,6 +22,8 @@ class EviCamera final : public PanTiltCamera {
   public:
     /// Begins to work at once. `clock` outlives the camera.
     EviCamera(std::unique_ptr<Link> link, const Clock& clock, HeadDriver::Options options);
+    /// A halt that the head has not acknowledged is told it first, for 0.3 s at most; other wishes
+    /// are dropped, and a drive goes on.
     ~EviCamera() override;
 
     /// Waits until the head answers and has told where it looks; an error when the time is over.

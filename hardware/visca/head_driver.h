@@ -51,6 +51,8 @@ class HeadDriver {
 
     /// One round: what is due is sent, then it waits for what comes, a tenth of a second at most.
     void step();
+    /// A halt is wanted, and the head has not acknowledged it yet. On the thread of `step`.
+    bool halts() const { return halt_ != Halt::none || queue_.halt_waits(); }
 
     /// The rest is for any thread.
 
