@@ -186,10 +186,11 @@ bool HeadDriver::send_motion(std::int64_t now_ns) {
         std::lock_guard lock(mutex_);
         oldest_aim_ns_ = std::max(oldest_aim_ns_, age_ns);
     }
-    // A newer aim is better than the same one again.
-    const bool look = current_->motion.kind == Motion::Kind::look;
+    // A newer aim or speed is better than the same one again, and a halt may have come meanwhile.
+    const Motion::Kind kind = current_->motion.kind;
     current_->id = session_.send(message_of(current_->motion), now_ns,
-                                 {look ? look_patience_ns : other_patience_ns, !look});
+                                 {kind == Motion::Kind::look ? look_patience_ns : other_patience_ns,
+                                  kind == Motion::Kind::other});
     current_->stage = Stage::sent;
     return true;
 }

@@ -214,6 +214,32 @@ TEST_F(HeadDriverTest, WhatIsNotHeardOfIsNotDrivenOn) {
     EXPECT_FALSE(line_->camera.state().moving) << "also while the key is held";
 }
 
+TEST_F(HeadDriverTest, ALostDriveIsNotToldAgainOnceItIsHalted) {
+    make();
+    run_s(1.0);
+    line_->carries_to_camera = false;
+    drive(20.0);
+    run_s(0.01);
+    ASSERT_EQ(sent(Op::drive), 1);
+    queue_.halt();
+    line_->carries_to_camera = true;
+    run_s(1.0);
+    EXPECT_EQ(sent(Op::drive), 2) << "the stop";
+    EXPECT_EQ(pan_deg(), 0.0);
+}
+
+TEST_F(HeadDriverTest, ALostDriveThatIsStillWantedIsToldAgain) {
+    make();
+    run_s(1.0);
+    line_->carries_to_camera = false;
+    drive(20.0);
+    run_s(0.01);
+    line_->carries_to_camera = true;
+    run_s(0.3);
+    EXPECT_TRUE(line_->camera.state().moving);
+    EXPECT_EQ(sent(Op::drive), 2);
+}
+
 TEST_F(HeadDriverTest, ZoomsFocusesAndKeepsPresets) {
     make();
     run_s(0.3);
