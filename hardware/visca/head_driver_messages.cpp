@@ -263,14 +263,14 @@ void HeadDriver::handle(const Outcome& outcome, std::int64_t now_ns) {
 void HeadDriver::handle_halt(const Outcome& outcome, std::int64_t now_ns) {
     switch (outcome.kind) {
         case Outcome::Kind::acknowledged:
-        case Outcome::Kind::completed: {
+        case Outcome::Kind::completed:
+            // A completion after the acknowledgement may come when something else turns it.
             if (halt_ == Halt::sent) {
                 halt_ = Halt::none;
+                std::lock_guard lock(mutex_);
+                estimate_.set_target(std::nullopt, now_ns);
             }
-            std::lock_guard lock(mutex_);
-            estimate_.set_target(std::nullopt, now_ns);
             break;
-        }
         case Outcome::Kind::refused:
             if (halt_ == Halt::sent) {
                 halt_ = Halt::wanted;

@@ -240,6 +240,23 @@ TEST_F(HeadDriverTest, ALostDriveThatIsStillWantedIsToldAgain) {
     EXPECT_EQ(sent(Op::drive), 2);
 }
 
+TEST_F(HeadDriverTest, AStopThatIsCompletedLateLeavesTheNextMotionAlone) {
+    EviSimulator::Options camera;
+    camera.completes_stop_at_rest = true;
+    make({}, {}, camera);
+    run_s(0.3);
+    drive(60.0);
+    run_s(0.5);
+    queue_.halt();
+    run_s(0.07);
+    ASSERT_TRUE(line_->camera.state().moving) << "it brakes";
+    ASSERT_FALSE(driver_->status().value().moving) << "the stop was acknowledged";
+    steer(90.0, 0.0);
+    run_s(0.2);
+    ASSERT_TRUE(line_->camera.state().moving);
+    EXPECT_TRUE(driver_->status().value().moving);
+}
+
 TEST_F(HeadDriverTest, ZoomsFocusesAndKeepsPresets) {
     make();
     run_s(0.3);
