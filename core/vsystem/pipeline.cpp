@@ -171,11 +171,8 @@ void Pipeline::publish() {
     snapshot->steered_target = targets_.states().steered;
     if (head_) {
         announce_head();
-        const auto reading = head_->reading();
-        snapshot->head =
-            HeadSnapshot{reading.status.angles, commanded_,           reading.status.moving,
-                         steering_.automatic(), steering_.at_limit(), reading.fault,
-                         reading.lens,          reading.abilities,    head_->limits()};
+        head_told_ = head_now();
+        snapshot->head = head_told_;
     }
     if (servo_.on()) {
         snapshot->servo = servo_.state(steers_alone_);
@@ -188,21 +185,6 @@ void Pipeline::publish() {
     snapshot->frames_total = frames_total_;
     snapshot->pictures = images_;
     publish_(std::move(snapshot));
-}
-
-void Pipeline::announce_head() {
-    for (const HeadNote& note : head_->take_notes()) {
-        switch (note.kind) {
-            case HeadNote::Kind::note:
-                announce(Event::Kind::note, note.text);
-                break;
-            case HeadNote::Kind::warning:
-                announce(Event::Kind::warning, note.text);
-                break;
-            case HeadNote::Kind::fault:
-                announce(Event::Kind::fault, note.text);
-        }
-    }
 }
 
 void Pipeline::set_run(RunState run, std::optional<Error> failure) {

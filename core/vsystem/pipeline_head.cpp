@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The head by hand: what turns it takes it away from steering, until SteerHead hands it back; what
-// is about its lens does not.
+// What the head does is told, and the head by hand: what turns it takes it away from steering,
+// until SteerHead hands it back; what is about its lens does not.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -69,6 +69,38 @@ struct SettingCheck {
 };
 
 }  // namespace
+
+void Pipeline::announce_head() {
+    for (const HeadNote& note : head_->take_notes()) {
+        switch (note.kind) {
+            case HeadNote::Kind::note:
+                announce(Event::Kind::note, note.text);
+                break;
+            case HeadNote::Kind::warning:
+                announce(Event::Kind::warning, note.text);
+                break;
+            case HeadNote::Kind::fault:
+                announce(Event::Kind::fault, note.text);
+        }
+    }
+}
+
+HeadSnapshot Pipeline::head_now() {
+    const auto reading = head_->reading();
+    return {reading.status.angles, commanded_,           reading.status.moving,
+            steering_.automatic(), steering_.at_limit(), reading.fault,
+            reading.lens,          reading.abilities,    head_->limits()};
+}
+
+void Pipeline::watch_head() {
+    if (!head_ || !images_.stereo.left.picture) {
+        return;
+    }
+    announce_head();
+    if (head_now() != head_told_) {
+        publish();
+    }
+}
 
 void Pipeline::take_by_hand(const std::optional<HeadAngles>& commanded) {
     steering_.set_automatic(false);
