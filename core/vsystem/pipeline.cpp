@@ -437,11 +437,8 @@ Result<Reply> Pipeline::move_head(const MoveHead& command) {
                          std::to_string(deg_from_rad(limits.tilt_rad)) + " up and down.",
                      "Give angles within these limits."};
     }
-    steering_.set_automatic(false);
-    steering_.nothing_wanted();
     head_->command(command.angles, true);
-    commanded_ = command.angles;
-    publish();
+    take_by_hand(command.angles);
     return Reply(Done{});
 }
 
@@ -449,10 +446,8 @@ Result<Reply> Pipeline::halt_head() {
     if (!head_) {
         return Error{"There is no pan-tilt head.", "Connect one, or name it when starting."};
     }
-    steering_.set_automatic(false);
     head_->halt();
-    commanded_.reset();
-    publish();
+    take_by_hand(std::nullopt);
     return Reply(Done{});
 }
 
@@ -466,6 +461,8 @@ Result<Reply> Pipeline::steer_head(const SteerHead& command) {
     }
     if (command.automatic) {
         head_->end_drive();
+    } else {
+        steering_.nothing_wanted();
     }
     steering_.set_automatic(command.automatic);
     publish();

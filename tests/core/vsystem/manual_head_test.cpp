@@ -167,6 +167,30 @@ TEST_F(ManualHeadTest, ADriveThatEndedByItselfIsToldWhilePaused) {
     EXPECT_EQ(head_->count("halt"), 1);
 }
 
+class HeadOfShortReach : public ManualHeadTest {
+  protected:
+    HeadOfShortReach() { head_->reach.pan_rad = 0.001; }
+};
+
+TEST_F(HeadOfShortReach, ByHandNothingIsBeyondIt) {
+    ASSERT_TRUE(system_->execute(SelectTemplate{{300, 230, 31, 31}, std::nullopt}));
+    for (const Command& by_hand : {Command(HaltHead{}), Command(SteerHead{false}),
+                                   Command(MoveHead{}), Command(DriveHead{0.1, 0.0})}) {
+        ASSERT_TRUE(system_->execute(SteerHead{true}));
+        ASSERT_TRUE(system_->execute(StartTracking{}));
+        ASSERT_TRUE(head().at_limit);
+        ASSERT_TRUE(system_->execute(by_hand));
+        EXPECT_FALSE(head().at_limit) << by_hand.index();
+    }
+    ASSERT_TRUE(system_->execute(SteerHead{true}));
+    ASSERT_TRUE(system_->execute(StartTracking{}));
+    ASSERT_TRUE(system_->execute(HaltHead{}));
+    ASSERT_TRUE(system_->execute(Flow{Flow::Kind::step}));
+    ASSERT_TRUE(until([&] { return system_->latest()->frame == 1; }));
+    EXPECT_EQ(steered_estimate(*system_->latest()).state, TrackState::tracking);
+    EXPECT_FALSE(head().at_limit);
+}
+
 TEST_F(ManualHeadTest, WhatIsSeenAtAPixelComesToTheMiddle) {
     const Rig rig = nominal_rig();
     const HeadAngles from{0.3, -0.1};
