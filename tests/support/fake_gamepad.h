@@ -22,6 +22,7 @@ class FakeGamepad final : public GamepadBase {
         std::lock_guard lock(mutex_);
         reading_.present = present;
         reading_.name = "fake pad";
+        reading_.device += present ? 1 : 0;
     }
     void stick(double right, double up) {
         std::lock_guard lock(mutex_);
