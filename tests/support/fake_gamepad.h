@@ -8,7 +8,7 @@
 
 namespace kambara::testing_support {
 
-/// A gamepad that a test holds. It answers as long as it does not hang.
+/// A gamepad that a test holds. It is read as long as it does not hang.
 class FakeGamepad final : public GamepadBase {
   public:
     PadReading reading() const override {

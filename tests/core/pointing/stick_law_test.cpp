@@ -107,7 +107,7 @@ TEST_F(StickLawTest, WhatNoHandHoldsSoStillIsFrozen) {
     at(0, 0);
     EXPECT_TRUE(for_s(30.0, 0.6).turns()) << "a hand moves by a hair";
     StickWish wish;
-    for (int i = 0; i < 490; ++i) {
+    for (int i = 0; i < 145; ++i) {
         wish = at(0.6, 0.0);
     }
     EXPECT_TRUE(wish.turns());

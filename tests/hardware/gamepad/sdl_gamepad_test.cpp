@@ -96,7 +96,7 @@ TEST_F(SdlGamepadTest, ReadsSticksTriggersAndTheHaltButton) {
     EXPECT_TRUE(until([&] { return pad_->reading().halt; }));
 }
 
-TEST_F(SdlGamepadTest, ItsTimeGoesOnAsLongAsItAnswers) {
+TEST_F(SdlGamepadTest, ItsTimeGoesOnAsLongAsItIsRead) {
     plug_in();
     ASSERT_TRUE(until([&] { return pad_->reading().present; }));
     for (int i = 0; i < 10; ++i) {
