@@ -140,7 +140,7 @@ Result<Done> EviCamera::reset() {
     return Done{};
 }
 
-Result<HeadModel> EviCamera::known_model() const {
+Result<HeadKind> EviCamera::known_model() const {
     auto model = driver_.model();
     if (!model) {
         return Error{driver_.fault(), ""};
@@ -234,7 +234,7 @@ Result<std::unique_ptr<EviCamera>> open_evi_camera(const std::string& text, cons
         options.model = find_head(options.heads, std::string_view(uri->model));
         if (!options.model) {
             std::string known;
-            for (const HeadModel& head : options.heads) {
+            for (const HeadKind& head : options.heads) {
                 known += (known.empty() ? "" : ", ") + head.name;
             }
             return Error{"The model of head " + uri->model + " is not known.",

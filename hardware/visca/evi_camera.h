@@ -54,7 +54,7 @@ class EviCamera final : public PanTiltCamera {
 
   private:
     Result<Done> look(const HeadAngles& angles, bool by_hand);
-    Result<HeadModel> known_model() const;
+    Result<HeadKind> known_model() const;
     Result<Done> tell(const Message& setting);
 
     const std::unique_ptr<Link> link_;

@@ -256,7 +256,7 @@ std::string HeadDriver::fault() const {
     return fault_;
 }
 
-std::optional<HeadModel> HeadDriver::model() const {
+std::optional<HeadKind> HeadDriver::model() const {
     std::lock_guard lock(mutex_);
     return model_;
 }
