@@ -11,7 +11,8 @@ class GamepadBase {
   public:
     virtual ~GamepadBase() = default;
 
-    /// The latest there is. One whose time stands still comes from a device that hangs.
+    /// The latest there is. A time that stands still: whoever reads the device hangs. A device
+    /// whose radio link has broken may be read on with its last values.
     virtual PadReading reading() const = 0;
 };
 

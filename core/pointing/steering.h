@@ -34,7 +34,8 @@ class Steering {
 
     /// The wanted angles were beyond the limits at the last call.
     bool at_limit() const { return at_limit_; }
-    /// There is no target to look at: nothing is beyond reach.
+    /// There is no target to look at, or it is not for steering to look there: nothing is beyond
+    /// reach.
     void nothing_wanted() { at_limit_ = false; }
 
     /// What to command so that the head looks along `wanted`, given what it was last told; empty

@@ -36,7 +36,7 @@ StickWish StickLaw::update(const PadReading& reading, std::int64_t now_ns) {
         last_ = reading;
         return {};
     }
-    if (!last_.present || reading.name != last_.name) {
+    if (!last_.present || reading.device != last_.device) {
         armed_ = frozen_ = false;
         changed_ns_ = now_ns;
     }

@@ -12,7 +12,7 @@ enum class PadState {
     absent,
     centre_first,  ///< sticks and triggers must be let go before they count
     armed,
-    frozen,  ///< it does not answer, or the stick has not moved by a hair for too long
+    frozen,  ///< it is not read any more, or the stick has not moved by a hair for too long
 };
 
 /// What the operator wants by it. Shares of the full speed, right, up and tele positive.
@@ -32,17 +32,22 @@ struct StickWish {
 ///
 ///   absent --plugged in--> centre first --all let go--> armed
 ///                             ^   ^                       |
-///          answers again      |   '--- halt button -------+
+///          read again         |   '--- halt button -------+
 ///   frozen -------------------'                           |
-///      ^------- no answer, or held still for too long ----'
+///      ^------- not read, or held still for too long -----'
 ///
 /// Another pad, or one that was away, begins anew. Knows no device and is told the time.
 class StickLaw {
   public:
     struct Options {
-        double dead_zone = 0.15;     ///< of the stick's way
-        double silent_s = 0.12;      ///< without an answer it counts as frozen
-        double held_still_s = 10.0;  ///< likewise, deflected and not changed in the last digit
+        double dead_zone = 0.15;  ///< of the stick's way
+        double silent_s = 0.12;   ///< so old a reading counts as frozen
+        /// Likewise, deflected and not changed in the last digit: how long a head turns on after a
+        /// radio link broke. A hand trembles 8 to 12 times a second (Deuschl, Bain, Brin 1998):
+        /// some thirty times in this, of which one moves a stick of 8 bits by a digit. Chosen, not
+        /// measured with pads. A stick that knows only its ends never moves: it must be let go so
+        /// often.
+        double held_still_s = 3.0;
     };
 
     StickLaw() : StickLaw(Options{}) {}

@@ -32,7 +32,14 @@ HeadWorker::HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading,
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
-HeadWorker::~HeadWorker() = default;
+// Nobody is left who would say any more that it is to go on turning.
+HeadWorker::~HeadWorker() {
+    thread_.request_stop();
+    thread_.join();
+    if (driven_ || halt_waits_) {
+        stop_moving();
+    }
+}
 
 void HeadWorker::command(const HeadAngles& angles, bool by_hand) {
     put(Look{angles, by_hand});

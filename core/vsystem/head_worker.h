@@ -43,6 +43,7 @@ class HeadWorker {
 
     /// `clock` outlives the worker, times what is driven and dates where the head was.
     HeadWorker(std::shared_ptr<PanTiltCamera> head, Threading threading, const Clock& clock);
+    /// Halts a head that is being driven; other motions come to their end by themselves.
     ~HeadWorker();
 
     HeadLimits limits() const { return limits_; }

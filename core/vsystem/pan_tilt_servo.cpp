@@ -174,7 +174,13 @@ bool PanTiltServo::cut(const Frame& grey, const Rectangle& rectangle) {
 
 void PanTiltServo::check_by_look(const Seen& seen) {
     const bool tracking = follows() && tracker_->estimate().state == TrackState::tracking;
-    if (by_hand_ || (--pictures_until_check_ > 0 && tracking) || pictures_until_check_ > 0) {
+    if (by_hand_) {
+        return;
+    }
+    if (!tracking) {
+        pictures_until_check_ = std::min(pictures_until_check_, pictures_between_tries);
+    }
+    if (--pictures_until_check_ > 0) {
         return;
     }
     const auto match = found_by_look(seen);

@@ -177,11 +177,8 @@ void Pipeline::publish() {
     snapshot->steered_target = targets_.states().steered;
     if (head_) {
         announce_head();
-        const auto reading = head_->reading();
-        snapshot->head =
-            HeadSnapshot{reading.status.angles, commanded_,           reading.status.moving,
-                         steering_.automatic(), steering_.at_limit(), reading.fault,
-                         reading.lens,          reading.abilities,    head_->limits()};
+        head_told_ = head_now();
+        snapshot->head = head_told_;
     }
     if (servo_.on()) {
         snapshot->servo = servo_.state(steers_alone_);
@@ -194,21 +191,6 @@ void Pipeline::publish() {
     snapshot->frames_total = frames_total_;
     snapshot->pictures = images_;
     publish_(std::move(snapshot));
-}
-
-void Pipeline::announce_head() {
-    for (const HeadNote& note : head_->take_notes()) {
-        switch (note.kind) {
-            case HeadNote::Kind::note:
-                announce(Event::Kind::note, note.text);
-                break;
-            case HeadNote::Kind::warning:
-                announce(Event::Kind::warning, note.text);
-                break;
-            case HeadNote::Kind::fault:
-                announce(Event::Kind::fault, note.text);
-        }
-    }
 }
 
 void Pipeline::set_run(RunState run, std::optional<Error> failure) {
@@ -447,87 +429,6 @@ void Pipeline::steer() {
         head_->follow({*commanded_, {}, aim->computed_ns, aim->computed_ns});
         followed_ns_ = aim->computed_ns;
     }
-}
-
-Result<Reply> Pipeline::move_head(const MoveHead& command) {
-    if (!head_) {
-        return Error{"There is no pan-tilt head.", "Connect one, or name it when starting."};
-    }
-    const HeadLimits limits = head_->limits();
-    if (within_limits(command.angles, limits) != command.angles) {
-        return Error{"The head can't look there: it reaches " +
-                         std::to_string(deg_from_rad(limits.pan_rad)) +
-                         " degrees to the sides and " +
-                         std::to_string(deg_from_rad(limits.tilt_rad)) + " up and down.",
-                     "Give angles within these limits."};
-    }
-    steering_.set_automatic(false);
-    steering_.nothing_wanted();
-    head_->command(command.angles, true);
-    commanded_ = command.angles;
-    publish();
-    return Reply(Done{});
-}
-
-Result<Reply> Pipeline::halt_head() {
-    if (!head_) {
-        return Error{"There is no pan-tilt head.", "Connect one, or name it when starting."};
-    }
-    steering_.set_automatic(false);
-    head_->halt();
-    commanded_.reset();
-    publish();
-    return Reply(Done{});
-}
-
-Result<Reply> Pipeline::steer_head(const SteerHead& command) {
-    if (!head_) {
-        return Error{"There is no pan-tilt head.", "Connect one, or name it when starting."};
-    }
-    if (command.automatic && !rig_.pan_tilt) {
-        return Error{"The rig file does not say where the pan-tilt camera is.",
-                     "Calibrate it with the others, then hand over the steering."};
-    }
-    if (command.automatic) {
-        head_->end_drive();
-    }
-    steering_.set_automatic(command.automatic);
-    publish();
-    return Reply(Done{});
-}
-
-Result<Reply> Pipeline::servo_head(const ServoHead& command) {
-    if (command.on && (!head_ || !images_.pan_tilt.picture)) {
-        return Error{
-            head_ ? "There are no pictures of the pan-tilt camera." : "There is no pan-tilt head.",
-            "Connect it, or name it when starting."};
-    }
-    if (const auto done = servo_.set_on(command.on); !done) {
-        return done.error();
-    }
-    publish();
-    return Reply(Done{});
-}
-
-Result<Reply> Pipeline::select_in_pan_tilt(const SelectInPanTilt& command) {
-    if (!servo_.on() || !head_ || !images_.pan_tilt.picture) {
-        return Error{"The pan-tilt picture is not followed.", "Switch that on first."};
-    }
-    const auto angles = angles_of_pan_tilt_picture();
-    if (!angles) {
-        return Error{"The head does not say where it looks.", "Check its line and its power."};
-    }
-    pan_tilt_grey_ = images_.pan_tilt;
-    pan_tilt_grey_.picture = grey_from(pan_tilt_grey_.picture);
-    if (const auto done =
-            servo_.select(pan_tilt_grey_, *angles, magnified_now(), command.rectangle);
-        !done) {
-        return done.error();
-    }
-    look_through_head();
-    steer();
-    publish();
-    return Reply(Done{});
 }
 
 Result<Reply> Pipeline::tell_vehicle_motion(const TellVehicleMotion& command) {

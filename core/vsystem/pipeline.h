@@ -56,6 +56,9 @@ class Pipeline {
     /// The cameras deliver nothing any more: says so, and gives no position until they do.
     void fell_silent();
     bool silent() const { return silent_; }
+    bool has_head() const { return head_ != nullptr; }
+    /// While no pictures come: publishes what has changed about the head.
+    void watch_head();
     void set_frames_total(std::int64_t frames) { frames_total_ = frames; }
 
     void set_run(RunState run, std::optional<Error> failure = std::nullopt);
@@ -77,6 +80,7 @@ class Pipeline {
     void publish();
     void announce(Event::Kind kind, std::string text);
     void announce_head();
+    HeadSnapshot head_now();
     void watch_rig();
     Result<Done> take_vehicle_motion(const VehicleMotion& motion);
     void note_changes(const TargetStates& before);
@@ -99,7 +103,8 @@ class Pipeline {
     Frame pan_tilt_grey_;
     bool steers_alone_ = false;
     std::optional<HeadAngles> commanded_;
-    std::int64_t followed_ns_ = 0;  // when the head was last told by steering
+    std::optional<HeadSnapshot> head_told_;  // with the last snapshot
+    std::int64_t followed_ns_ = 0;           // when the head was last told by steering
     ImageSet images_;
     std::optional<TemporalFilter> left_filter_;
     std::optional<TemporalFilter> right_filter_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The head by hand: what turns it takes it away from steering, until SteerHead hands it back; what
-// is about its lens does not.
+// What the head is told, and what it does: its state, steering handed over and taken away, the head
+// by hand. What turns it takes it away from steering, until SteerHead hands it back; what is about
+// its lens does not.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -70,11 +71,123 @@ struct SettingCheck {
 
 }  // namespace
 
+void Pipeline::announce_head() {
+    for (const HeadNote& note : head_->take_notes()) {
+        switch (note.kind) {
+            case HeadNote::Kind::note:
+                announce(Event::Kind::note, note.text);
+                break;
+            case HeadNote::Kind::warning:
+                announce(Event::Kind::warning, note.text);
+                break;
+            case HeadNote::Kind::fault:
+                announce(Event::Kind::fault, note.text);
+        }
+    }
+}
+
+HeadSnapshot Pipeline::head_now() {
+    const auto reading = head_->reading();
+    return {reading.status.angles, commanded_,           reading.status.moving,
+            steering_.automatic(), steering_.at_limit(), reading.fault,
+            reading.lens,          reading.abilities,    head_->limits()};
+}
+
+void Pipeline::watch_head() {
+    if (!head_ || !images_.stereo.left.picture) {
+        return;
+    }
+    announce_head();
+    if (head_now() != head_told_) {
+        publish();
+    }
+}
+
 void Pipeline::take_by_hand(const std::optional<HeadAngles>& commanded) {
     steering_.set_automatic(false);
     steering_.nothing_wanted();
     commanded_ = commanded;
     publish();
+}
+
+Result<Reply> Pipeline::move_head(const MoveHead& command) {
+    if (!head_) {
+        return no_head();
+    }
+    const HeadLimits limits = head_->limits();
+    if (within_limits(command.angles, limits) != command.angles) {
+        return Error{"The head can't look there: it reaches " +
+                         std::to_string(deg_from_rad(limits.pan_rad)) +
+                         " degrees to the sides and " +
+                         std::to_string(deg_from_rad(limits.tilt_rad)) + " up and down.",
+                     "Give angles within these limits."};
+    }
+    head_->command(command.angles, true);
+    take_by_hand(command.angles);
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::halt_head() {
+    if (!head_) {
+        return no_head();
+    }
+    head_->halt();
+    take_by_hand(std::nullopt);
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::steer_head(const SteerHead& command) {
+    if (!head_) {
+        return no_head();
+    }
+    if (command.automatic && !rig_.pan_tilt) {
+        return Error{"The rig file does not say where the pan-tilt camera is.",
+                     "Calibrate it with the others, then hand over the steering."};
+    }
+    if (command.automatic) {
+        head_->end_drive();
+    } else {
+        steering_.nothing_wanted();
+    }
+    steering_.set_automatic(command.automatic);
+    publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::servo_head(const ServoHead& command) {
+    if (command.on && !head_) {
+        return no_head();
+    }
+    if (command.on && !images_.pan_tilt.picture) {
+        return Error{"There are no pictures of the pan-tilt camera.",
+                     "Connect it, or name it when starting."};
+    }
+    if (const auto done = servo_.set_on(command.on); !done) {
+        return done.error();
+    }
+    publish();
+    return Reply(Done{});
+}
+
+Result<Reply> Pipeline::select_in_pan_tilt(const SelectInPanTilt& command) {
+    if (!servo_.on() || !head_ || !images_.pan_tilt.picture) {
+        return Error{"The pan-tilt picture is not followed.", "Switch that on first."};
+    }
+    const auto angles = angles_of_pan_tilt_picture();
+    if (!angles) {
+        return Error{"The head does not say where it looks.", "Check its line and its power."};
+    }
+    pan_tilt_grey_ = images_.pan_tilt;
+    pan_tilt_grey_.picture = grey_from(pan_tilt_grey_.picture);
+    if (const auto done =
+            servo_.select(pan_tilt_grey_, *angles, magnified_now(), command.rectangle);
+        !done) {
+        return done.error();
+    }
+    look_through_head();
+    steer();
+    publish();
+    return Reply(Done{});
 }
 
 Result<Reply> Pipeline::drive_head(const DriveHead& command) {

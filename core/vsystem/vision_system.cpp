@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/vsystem/vision_system.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <future>
@@ -19,6 +20,7 @@ namespace {
 
 constexpr int patience_rounds = 100;  // of a source's own patience, 50 ms each
 constexpr int silent_rounds = 20;     // likewise: a second
+constexpr std::chrono::milliseconds head_interval{100};
 
 struct WaitingCommand {
     Command command;
@@ -154,17 +156,33 @@ class VisionSystem final : public VsystemInterface {
             std::deque<WaitingCommand> commands;
             {
                 std::unique_lock lock(mutex_);
-                if (!flowing()) {
-                    work_.wait(lock, stop, [&] { return !commands_.empty(); });
-                }
+                wait_for_work(lock, stop);
                 commands.swap(commands_);
             }
             for (auto& waiting : commands) {
                 waiting.reply.set_value(carry_out(waiting.command));
             }
-            if (flowing() && !stop.stop_requested()) {
-                take_next(stop);
+            if (stop.stop_requested()) {
+                return;
             }
+            if (flowing()) {
+                take_next(stop);
+            } else {
+                pipeline_.watch_head();
+            }
+        }
+    }
+
+    // The head goes on turning, or falls silent, whether pictures come or not.
+    void wait_for_work(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+        const auto come = [this] { return !commands_.empty(); };
+        if (flowing()) {
+            return;
+        }
+        if (pipeline_.has_head()) {
+            work_.wait_for(lock, stop, head_interval, come);
+        } else {
+            work_.wait(lock, stop, come);
         }
     }
 
@@ -179,6 +197,9 @@ class VisionSystem final : public VsystemInterface {
         if (next && std::holds_alternative<NothingYet>(*next)) {
             if (live_ && ++empty_rounds_ == silent_rounds) {
                 pipeline_.fell_silent();
+            }
+            if (pipeline_.silent()) {
+                pipeline_.watch_head();
             }
             return;
         }

@@ -49,7 +49,8 @@ struct VisionSystemOptions {
 /// outlives the system and times it (rate, processing time).
 ///
 /// One pipeline thread owns all state. Commands wait in a queue until it is between two pairs;
-/// snapshots leave it as shared immutable values.
+/// snapshots leave it as shared immutable values: one a pair, one a command that changes anything,
+/// and, while no pictures come, one whenever something has changed about the head.
 ///
 ///              open                Flow::run                source's end
 ///   (pictures) ----> paused <------------------> running ----------------> ended

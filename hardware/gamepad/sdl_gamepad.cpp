@@ -66,6 +66,7 @@ class Device {
     PadReading reading() const {
         PadReading reading;
         reading.present = true;
+        reading.device = SDL_JoystickInstanceID(joystick_);
         if (controller_ == nullptr) {
             reading.name = text_of(SDL_JoystickName(joystick_));
             reading.right = way_of(SDL_JoystickGetAxis(joystick_, 0));

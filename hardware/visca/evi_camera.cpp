@@ -11,6 +11,7 @@ namespace kambara::visca {
 namespace {
 
 constexpr std::int64_t patience_ns = 2'000'000'000;
+constexpr std::chrono::milliseconds last_words{300};
 constexpr int manual_focus = 3;
 constexpr int auto_focus = 2;
 
@@ -32,6 +33,10 @@ EviCamera::EviCamera(std::unique_ptr<Link> link, const Clock& clock, HeadDriver:
       driver_(*link_, queue_, clock, std::move(options)),
       thread_([this](const std::stop_token& stop) {
           while (!stop.stop_requested()) {
+              driver_.step();
+          }
+          const auto until = std::chrono::steady_clock::now() + last_words;
+          while (driver_.halts() && std::chrono::steady_clock::now() < until) {
               driver_.step();
           }
       }) {}
@@ -135,7 +140,7 @@ Result<Done> EviCamera::reset() {
     return Done{};
 }
 
-Result<HeadModel> EviCamera::known_model() const {
+Result<HeadKind> EviCamera::known_model() const {
     auto model = driver_.model();
     if (!model) {
         return Error{driver_.fault(), ""};
@@ -229,7 +234,7 @@ Result<std::unique_ptr<EviCamera>> open_evi_camera(const std::string& text, cons
         options.model = find_head(options.heads, std::string_view(uri->model));
         if (!options.model) {
             std::string known;
-            for (const HeadModel& head : options.heads) {
+            for (const HeadKind& head : options.heads) {
                 known += (known.empty() ? "" : ", ") + head.name;
             }
             return Error{"The model of head " + uri->model + " is not known.",

@@ -22,6 +22,8 @@ class EviCamera final : public PanTiltCamera {
   public:
     /// Begins to work at once. `clock` outlives the camera.
     EviCamera(std::unique_ptr<Link> link, const Clock& clock, HeadDriver::Options options);
+    /// A halt that the head has not acknowledged is told it first, for 0.3 s at most; other wishes
+    /// are dropped, and a drive goes on.
     ~EviCamera() override;
 
     /// Waits until the head answers and has told where it looks; an error when the time is over.
@@ -52,7 +54,7 @@ class EviCamera final : public PanTiltCamera {
 
   private:
     Result<Done> look(const HeadAngles& angles, bool by_hand);
-    Result<HeadModel> known_model() const;
+    Result<HeadKind> known_model() const;
     Result<Done> tell(const Message& setting);
 
     const std::unique_ptr<Link> link_;

@@ -243,7 +243,7 @@ void EviSimulator::finish_motion_before(int but_socket) {
 
 bool EviSimulator::in_move() const {
     return initialising_ || std::any_of(tasks_.begin(), tasks_.end(), [](const auto& task) {
-               return task && is_motion(task->message.op);
+               return task && is_motion(task->message.op) && task->message.op != Op::drive;
            });
 }
 

@@ -45,6 +45,8 @@ class EviSimulator {
         /// A drive command (stop, too) is not executable while a position is moved to, as Player's
         /// driver met it. A newer position takes over from an older one.
         bool refuses_drive_in_move = true;
+        /// A stop is completed once the head has come to rest, or when something else takes over.
+        bool completes_stop_at_rest = false;
     };
 
     /// Says whose packet it was; comes back with the replies.

@@ -67,7 +67,9 @@ std::optional<EviSimulator::Waits> EviSimulator::begin_motion(const Message& mes
             pan_.drive(way(v[2], 1, 2) * v[0] * pan_steps_s_per_code);
             tilt_.drive(way(v[3], 2, 1) * v[1] * tilt_steps_s_per_code);
             moved_ = true;
-            return std::nullopt;
+            const bool stop = v[2] == 3 && v[3] == 3;
+            return stop && options_.completes_stop_at_rest ? std::optional(Waits::pan_tilt)
+                                                           : std::nullopt;
         }
         case Op::absolute:
             turn_to(v[2], v[3], v[0], v[1]);

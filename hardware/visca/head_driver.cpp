@@ -66,10 +66,15 @@ void HeadDriver::step() {
     follow_session(now_ns);
 }
 
-// Where a head that is being reached again is to look.
+// What a head that is being reached again is to do: to stop, where a halt could not be told, or
+// where it is driven and nobody is told where to; else, where to look.
 void HeadDriver::tell_wish(std::int64_t now_ns) {
-    bool look = !ready_ && model_ && halt_ == Halt::none && current_ &&
-                current_->motion.kind == Motion::Kind::look;
+    if (!ready_ && model_ &&
+        (halt_ != Halt::none || (current_ && current_->motion.kind == Motion::Kind::drive))) {
+        session_.set_wish(stop_message());
+        return;
+    }
+    bool look = !ready_ && model_ && current_ && current_->motion.kind == Motion::Kind::look;
     if (look && current_->motion.aim) {
         look = now_ns - current_->motion.aim->computed_ns <= options_.stale_aim_ns;
     }
@@ -251,7 +256,7 @@ std::string HeadDriver::fault() const {
     return fault_;
 }
 
-std::optional<HeadModel> HeadDriver::model() const {
+std::optional<HeadKind> HeadDriver::model() const {
     std::lock_guard lock(mutex_);
     return model_;
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/clock.h"
-#include "hardware/visca/head_model.h"
+#include "hardware/visca/head_kind.h"
 #include "hardware/visca/head_queue.h"
 #include "hardware/visca/link.h"
 #include "hardware/visca/position_estimate.h"
@@ -33,8 +33,8 @@ class HeadDriver {
   public:
     struct Options {
         Session::Options session;
-        std::vector<HeadModel> heads;
-        std::optional<HeadModel> model;  ///< empty: by the version inquiry
+        std::vector<HeadKind> heads;
+        std::optional<HeadKind> model;  ///< empty: by the version inquiry
         std::int64_t reopen_ns = 50'000'000;
         /// How much later than told the motors are where they should be while they follow.
         double motor_lag_s = 0.05;
@@ -51,6 +51,8 @@ class HeadDriver {
 
     /// One round: what is due is sent, then it waits for what comes, a tenth of a second at most.
     void step();
+    /// A halt is wanted, and the head has not acknowledged it yet. On the thread of `step`.
+    bool halts() const { return halt_ != Halt::none || queue_.halt_waits(); }
 
     /// The rest is for any thread.
 
@@ -58,7 +60,7 @@ class HeadDriver {
     bool connected() const;
     /// Why not; empty where it is.
     std::string fault() const;
-    std::optional<HeadModel> model() const;
+    std::optional<HeadKind> model() const;
     /// An error while the head does not answer.
     Result<HeadStatus> status() const;
     Result<LensStatus> lens() const;
@@ -99,6 +101,11 @@ class HeadDriver {
     void lost(std::int64_t now_ns);
     void handle(const Session::Outcome& outcome, std::int64_t now_ns);
     void handle_motion(const Session::Outcome& outcome, std::int64_t now_ns);
+    void motion_begins(const Session::Outcome& outcome, bool is_current, std::int64_t now_ns);
+    void motion_ends(const Session::Outcome& outcome, std::int64_t now_ns);
+    void motion_refused(const Session::Outcome& outcome, std::int64_t now_ns);
+    /// What the head is taken to do from now on, until it says where it is.
+    void expect(const Motion& motion, std::int64_t now_ns);
     void handle_halt(const Session::Outcome& outcome, std::int64_t now_ns);
     void handle_setting(const Session::Outcome& outcome, std::int64_t now_ns);
     void handle_answer(const Session::Outcome& outcome, std::int64_t now_ns);
@@ -150,7 +157,7 @@ class HeadDriver {
     bool power_is_known_ = false;
 
     mutable std::mutex mutex_;  // of what follows
-    std::optional<HeadModel> model_;
+    std::optional<HeadKind> model_;
     PositionEstimate estimate_;
     bool connected_ = false;
     std::string fault_;

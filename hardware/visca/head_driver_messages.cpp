@@ -186,10 +186,11 @@ bool HeadDriver::send_motion(std::int64_t now_ns) {
         std::lock_guard lock(mutex_);
         oldest_aim_ns_ = std::max(oldest_aim_ns_, age_ns);
     }
-    // A newer aim is better than the same one again.
-    const bool look = current_->motion.kind == Motion::Kind::look;
+    // A newer aim or speed is better than the same one again, and a halt may have come meanwhile.
+    const Motion::Kind kind = current_->motion.kind;
     current_->id = session_.send(message_of(current_->motion), now_ns,
-                                 {look ? look_patience_ns : other_patience_ns, !look});
+                                 {kind == Motion::Kind::look ? look_patience_ns : other_patience_ns,
+                                  kind == Motion::Kind::other});
     current_->stage = Stage::sent;
     return true;
 }
@@ -262,14 +263,14 @@ void HeadDriver::handle(const Outcome& outcome, std::int64_t now_ns) {
 void HeadDriver::handle_halt(const Outcome& outcome, std::int64_t now_ns) {
     switch (outcome.kind) {
         case Outcome::Kind::acknowledged:
-        case Outcome::Kind::completed: {
+        case Outcome::Kind::completed:
+            // A completion after the acknowledgement may come when something else turns it.
             if (halt_ == Halt::sent) {
                 halt_ = Halt::none;
+                std::lock_guard lock(mutex_);
+                estimate_.set_target(std::nullopt, now_ns);
             }
-            std::lock_guard lock(mutex_);
-            estimate_.set_target(std::nullopt, now_ns);
             break;
-        }
         case Outcome::Kind::refused:
             if (halt_ == Halt::sent) {
                 halt_ = Halt::wanted;
@@ -313,81 +314,94 @@ void HeadDriver::handle_setting(const Outcome& outcome, std::int64_t now_ns) {
 void HeadDriver::handle_motion(const Outcome& outcome, std::int64_t now_ns) {
     const bool is_current = current_ && current_->id == outcome.id &&
                             (current_->stage == Stage::sent || current_->stage == Stage::executing);
-    const bool begins =
-        outcome.kind == Outcome::Kind::acknowledged ||
-        (outcome.kind == Outcome::Kind::completed && is_current && current_->stage == Stage::sent);
-    if (begins && is_current) {
-        std::lock_guard lock(mutex_);
-        const Motion& motion = current_->motion;
-        if (motion.kind == Motion::Kind::look) {
-            const Message message = message_of(motion);
-            estimate_.set_target(
-                HeadAngles{rad_from_deg(model_->pan.deg_from_steps(message.values[2])),
-                           rad_from_deg(model_->tilt.deg_from_steps(message.values[3]))},
-                HeadAngles{rad_from_deg(model_->pan.speed_deg_s(message.values[0])),
-                           rad_from_deg(model_->tilt.speed_deg_s(message.values[1]))},
-                now_ns);
-        } else if (motion.kind == Motion::Kind::drive) {
-            estimate_.set_drive(motion.angles.pan_rad, motion.angles.tilt_rad, now_ns);
-        } else {
-            estimate_.set_target(
-                motion.message.op == Op::home ? std::optional(HeadAngles{}) : std::nullopt, now_ns);
-        }
-    }
     if (outcome.kind == Outcome::Kind::acknowledged) {
-        motion_unanswered_ = false;
-        syntax_errors_ = 0;
-        for (auto& [id, move] : moves_) {
-            move.superseded_ns = move.superseded_ns.value_or(now_ns);
-        }
-        if (outcome.message.op != Op::drive) {
-            moves_[outcome.id] = {now_ns};
-        }
-        if (is_current) {
-            current_->stage = Stage::executing;
-        } else if (!current_) {
-            clear_moves();  // a halt came meanwhile
-        }
+        motion_begins(outcome, is_current, now_ns);
         return;
     }
     moves_.erase(outcome.id);
     if (!is_current) {
         return;
     }
-    switch (outcome.kind) {
-        case Outcome::Kind::completed:
-        case Outcome::Kind::incomplete:
-            current_->stage = Stage::done;
-            break;
-        case Outcome::Kind::refused:
-            if (outcome.fault == Fault::not_executable || outcome.fault == Fault::buffer_full) {
-                current_->stage = Stage::waiting;
-                current_->not_before_ns =
-                    now_ns + (outcome.fault == Fault::buffer_full ? retry_full_ns : retry_ns);
-                if (outcome.fault == Fault::not_executable) {
-                    // It may not take over from what is under way.
-                    clear_moves();
-                }
-            } else if (outcome.fault == Fault::cancelled) {
-                current_->stage = Stage::done;
-            } else if (outcome.fault == Fault::syntax || outcome.fault == Fault::message_length) {
-                // On a bad line it was damaged on its way.
-                current_->stage = Stage::waiting;
-                if (++syntax_errors_ > most_syntax_errors) {
-                    syntax_errors_ = 0;
-                    note(HeadNote::Kind::fault, "The head does not understand " +
-                                                    name_of(outcome.message.op) +
-                                                    ": it is given up. Check the model.");
-                    current_.reset();
-                }
-            }
-            break;
-        default:  // no reply, or the link was lost
-            current_->stage = Stage::waiting;
-            motion_unanswered_ = true;
-            if (outcome.message.op == Op::reset) {
-                current_.reset();
-            }
+    if (outcome.kind == Outcome::Kind::refused) {
+        motion_refused(outcome, now_ns);
+    } else {
+        motion_ends(outcome, now_ns);
+    }
+}
+
+void HeadDriver::motion_begins(const Outcome& outcome, bool is_current, std::int64_t now_ns) {
+    motion_unanswered_ = false;
+    syntax_errors_ = 0;
+    for (auto& [id, move] : moves_) {
+        move.superseded_ns = move.superseded_ns.value_or(now_ns);
+    }
+    if (outcome.message.op != Op::drive) {
+        moves_[outcome.id] = {now_ns};
+    }
+    if (is_current) {
+        expect(current_->motion, now_ns);
+        current_->stage = Stage::executing;
+    } else if (!current_) {
+        clear_moves();  // a halt came meanwhile
+    }
+}
+
+void HeadDriver::expect(const Motion& motion, std::int64_t now_ns) {
+    std::lock_guard lock(mutex_);
+    if (motion.kind == Motion::Kind::look) {
+        const Message message = message_of(motion);
+        estimate_.set_target(
+            HeadAngles{rad_from_deg(model_->pan.deg_from_steps(message.values[2])),
+                       rad_from_deg(model_->tilt.deg_from_steps(message.values[3]))},
+            HeadAngles{rad_from_deg(model_->pan.speed_deg_s(message.values[0])),
+                       rad_from_deg(model_->tilt.speed_deg_s(message.values[1]))},
+            now_ns);
+    } else if (motion.kind == Motion::Kind::drive) {
+        estimate_.set_drive(motion.angles.pan_rad, motion.angles.tilt_rad, now_ns);
+    } else {
+        estimate_.set_target(
+            motion.message.op == Op::home ? std::optional(HeadAngles{}) : std::nullopt, now_ns);
+    }
+}
+
+void HeadDriver::motion_ends(const Outcome& outcome, std::int64_t now_ns) {
+    const bool completed = outcome.kind == Outcome::Kind::completed;
+    if (completed && current_->stage == Stage::sent) {
+        expect(current_->motion, now_ns);  // its acknowledgement was lost
+    }
+    if (completed || outcome.kind == Outcome::Kind::incomplete) {
+        current_->stage = Stage::done;
+        return;
+    }
+    // No reply, or the link was lost.
+    current_->stage = Stage::waiting;
+    motion_unanswered_ = true;
+    if (outcome.message.op == Op::reset) {
+        current_.reset();
+    }
+}
+
+void HeadDriver::motion_refused(const Outcome& outcome, std::int64_t now_ns) {
+    if (outcome.fault == Fault::not_executable || outcome.fault == Fault::buffer_full) {
+        current_->stage = Stage::waiting;
+        current_->not_before_ns =
+            now_ns + (outcome.fault == Fault::buffer_full ? retry_full_ns : retry_ns);
+        if (outcome.fault == Fault::not_executable) {
+            // It may not take over from what is under way.
+            clear_moves();
+        }
+    } else if (outcome.fault == Fault::cancelled) {
+        current_->stage = Stage::done;
+    } else if (outcome.fault == Fault::syntax || outcome.fault == Fault::message_length) {
+        // On a bad line it was damaged on its way.
+        current_->stage = Stage::waiting;
+        if (++syntax_errors_ > most_syntax_errors) {
+            syntax_errors_ = 0;
+            note(HeadNote::Kind::fault, "The head does not understand " +
+                                            name_of(outcome.message.op) +
+                                            ": it is given up. Check the model.");
+            current_.reset();
+        }
     }
 }
 

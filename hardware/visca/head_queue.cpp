@@ -45,6 +45,11 @@ bool HeadQueue::take_halt() {
     return std::exchange(halt_, false);
 }
 
+bool HeadQueue::halt_waits() const {
+    std::lock_guard lock(mutex_);
+    return halt_;
+}
+
 std::optional<Motion> HeadQueue::take_motion(bool by_hand_only) {
     std::lock_guard lock(mutex_);
     if (by_hand_) {

@@ -39,6 +39,7 @@ class HeadQueue {
     void put(const Message& setting);
 
     bool take_halt();
+    bool halt_waits() const;
     /// An operator's motion, or else, unless `by_hand_only`, steering's.
     std::optional<Motion> take_motion(bool by_hand_only);
     std::optional<Message> take_setting();

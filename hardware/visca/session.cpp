@@ -258,6 +258,7 @@ void Session::send_start_message(std::int64_t now_ns) {
         sequence_ = 0;
         output_.push_back(encode(sequence_reset()));
         start_deadline_ns_ = reply_deadline_ns(output_.back(), now_ns, misses);
+        send_wish();
         return;
     }
     // One that was known before most likely still knows its address: it is just asked.
@@ -269,7 +270,13 @@ void Session::send_start_message(std::int64_t now_ns) {
     }
     transmit(packet);
     start_deadline_ns_ = reply_deadline_ns(packet, now_ns, misses);
-    if (state_ == State::addressing && packet == version && wish_) {
+    if (state_ == State::clearing || (state_ == State::addressing && packet == version)) {
+        send_wish();
+    }
+}
+
+void Session::send_wish() {
+    if (wish_ && knows_address_) {
         const Bytes wished = encode(*wish_, options_.address, options_.dialect);
         transmit(wished);
         start_deadline_ns_ += line_ns(wished.size());

@@ -102,9 +102,9 @@ class Session {
     const std::optional<Identity>& identity() const { return identity_; }
     void set_dialect(const Dialect& dialect) { options_.dialect = dialect; }
 
-    /// What a head that has answered before is told along with each question who it is, since
-    /// perhaps only its answers are held up. Nothing is heard of it: it is to be sent again once
-    /// the head answers. Harmless when repeated; empty: nothing.
+    /// What a head that has answered before is told along with what is to start the link up again
+    /// (but for a new address), since perhaps only its answers are held up. Nothing is heard of it:
+    /// it is to be sent again once the head answers. Harmless when repeated; empty: nothing.
     void set_wish(std::optional<Message> wish) { wish_ = std::move(wish); }
 
     /// Something can be sent now; a command needs a free socket as well.
@@ -159,6 +159,7 @@ class Session {
     void enter(State state, std::int64_t now_ns);
     void start_over(std::int64_t now_ns);
     void send_start_message(std::int64_t now_ns);
+    void send_wish();
     void start_step_timed_out(std::int64_t now_ns);
     void transmit(const Bytes& packet, bool again = false);
     void waiting_timed_out(std::int64_t now_ns);

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "hardware/visca/evi_simulator.h"
-#include "hardware/visca/head_model.h"
+#include "hardware/visca/head_kind.h"
 #include "hardware/visca/head_uri.h"
 #include "hardware/visca/session.h"
 #include "hardware/visca/sony_end.h"
@@ -118,7 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     (void)parse_head_uri(text).ok();
     if (const auto heads = heads_from_text(text)) {
-        for (const HeadModel& head : *heads) {
+        for (const HeadKind& head : *heads) {
             require(std::isfinite(head.zoom.horizontal_view_rad(head.zoom.tele / 2)));
             encode({Op::absolute,
                     {head.pan.fastest_code, head.tilt.fastest_code, head.pan.steps_from_deg(1e3),

@@ -8,7 +8,7 @@
 
 namespace kambara::testing_support {
 
-/// A gamepad that a test holds. It answers as long as it does not hang.
+/// A gamepad that a test holds. It is read as long as it does not hang.
 class FakeGamepad final : public GamepadBase {
   public:
     PadReading reading() const override {
@@ -22,6 +22,7 @@ class FakeGamepad final : public GamepadBase {
         std::lock_guard lock(mutex_);
         reading_.present = present;
         reading_.name = "fake pad";
+        reading_.device += present ? 1 : 0;
     }
     void stick(double right, double up) {
         std::lock_guard lock(mutex_);

@@ -14,12 +14,15 @@ namespace kambara::testing_support {
 class ToldHead final : public PanTiltCamera {
   public:
     std::string name() const override { return "told"; }
-    HeadLimits limits() const override { return {}; }
+    HeadLimits limits() const override { return reach; }
     HeadAbilities abilities() const override { return able; }
     Result<Done> move_to(const HeadAngles& angles) override { return write("steer", angles); }
     Result<Done> move_by_hand(const HeadAngles& angles) override { return write("look", angles); }
     Result<Done> halt() override { return write("halt"); }
-    Result<HeadStatus> status() override { return HeadStatus{}; }
+    Result<HeadStatus> status() override {
+        std::lock_guard lock(mutex_);
+        return status_;
+    }
     Result<Done> drive(double pan_rad_s, double tilt_rad_s) override {
         return write("drive", {pan_rad_s, tilt_rad_s});
     }
@@ -31,6 +34,12 @@ class ToldHead final : public PanTiltCamera {
     Result<LensStatus> lens() override { return LensStatus{0.5, 0.25, 0.5, 0.75, false}; }
     Result<Done> keep_preset(int number) override { return write("keep", {1.0 * number, 0.0}); }
     Result<Done> recall_preset(int number) override { return write("recall", {1.0 * number, 0.0}); }
+
+    /// What it says from now on.
+    void say(const Result<HeadStatus>& status) {
+        std::lock_guard lock(mutex_);
+        status_ = status;
+    }
 
     struct Line {
         std::string what;
@@ -48,6 +57,7 @@ class ToldHead final : public PanTiltCamera {
     }
 
     HeadAbilities able{true, true, true, true, true, 6};
+    HeadLimits reach;
 
   private:
     Result<Done> write(const std::string& what, const HeadAngles& with = {}) {
@@ -58,6 +68,7 @@ class ToldHead final : public PanTiltCamera {
 
     mutable std::mutex mutex_;
     std::vector<Line> lines_;
+    Result<HeadStatus> status_ = HeadStatus{};
 };
 
 }  // namespace kambara::testing_support

@@ -127,5 +127,23 @@ TEST_F(HandDriveTest, TriggersZoomAndItsButtonHalts) {
     EXPECT_EQ(halts_.count(), 1) << "once a press";
 }
 
+TEST_F(HandDriveTest, ItsButtonHaltsWhateverElseIsHeld) {
+    auto pad = std::make_shared<FakeGamepad>();
+    pad->plug_in();
+    drive_.set_gamepad(pad);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return drive_.pad_state() == PadState::armed; }, 2000));
+    drive_.hold(Source::keys, {1.0, 0.0});
+    pad->stick(1.0, 0.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return drives_.count() > 3; }, 2000));
+    QSignalSpy dropped(&drive_, &HandDrive::dropped);
+    pad->press_halt(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return halts_.count() > 0; }, 2000));
+    const auto told = drives_.count();
+    QTest::qWait(200);
+    EXPECT_EQ(drives_.count(), told) << "the key is still down";
+    EXPECT_FALSE(drive_.held());
+    EXPECT_EQ(dropped.count(), 1) << "keys and stick in the window are let go as well";
+}
+
 }  // namespace
 }  // namespace kambara

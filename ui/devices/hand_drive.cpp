@@ -133,15 +133,16 @@ void HandDrive::ask_gamepad() {
     if (!head_) {
         wish = {wish.state, 0.0, 0.0, 0.0, false};
     }
+    if (wish.halt && !pad_halts_) {
+        emit halt();
+        drop_all();  // a key that is still held would turn it again
+    }
+    pad_halts_ = wish.halt;
     if (wish.turns()) {
         hold(Source::gamepad, {wish.pan, wish.tilt});
     } else {
         release(Source::gamepad);
     }
-    if (wish.halt && !pad_halts_) {
-        emit halt();
-    }
-    pad_halts_ = wish.halt;
     follow_zoom(wish.zoom);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/shell/system_link.h"
 
 #include <QMetaObject>
+#include <future>
 #include <utility>
 
 namespace kambara::ui {
@@ -10,6 +11,7 @@ SystemLink::SystemLink(SystemOpener opener, QObject* parent)
     : QObject(parent), opener_(std::move(opener)) {}
 
 SystemLink::~SystemLink() {
+    opening_.end();
     worker_.end();
     snapshots_.reset();
     events_.reset();
@@ -17,13 +19,17 @@ SystemLink::~SystemLink() {
 }
 
 void SystemLink::enqueue(std::function<void()> work) {
-    if (under_way_++ == 0) {
-        emit busy_changed(true);
-    }
+    began();
     worker_.put([this, work = std::move(work)] {
         work();
         on_window([this] { finished(); });
     });
+}
+
+void SystemLink::began() {
+    if (under_way_++ == 0) {
+        emit busy_changed(true);
+    }
 }
 
 void SystemLink::finished() {
@@ -37,27 +43,39 @@ void SystemLink::on_window(std::function<void()> work) {
     QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
 }
 
+// The worker has its hands free meanwhile: the system before goes on, and hears what it is told, a
+// halt most of all.
 void SystemLink::open(const SourceRequest& request) {
-    enqueue([this, request] {
+    began();
+    opening_.put([this, request] {
         auto system = opener_(request);
-        if (!system) {
-            on_window(
-                [this, request, error = system.error()] { emit open_failed(request, error); });
-            return;
-        }
-        snapshots_.reset();
-        events_.reset();
-        system_ = std::move(system->system);
-        newest_.try_take();
-        // Nothing of the new system comes before the window knows of it.
-        on_window([this, request, rig = system_->rig(), hand = system->hand,
-                   stations = system->stations] {
+        const auto taken = std::make_shared<std::promise<void>>();
+        worker_.put([this, &request, &system, taken] {
+            take(request, std::move(system));
+            taken->set_value();
+        });
+        taken->get_future().wait();
+        on_window([this] { finished(); });
+    });
+}
+
+void SystemLink::take(const SourceRequest& request, Result<OpenedSystem> system) {
+    if (!system) {
+        on_window([this, request, error = system.error()] { emit open_failed(request, error); });
+        return;
+    }
+    snapshots_.reset();
+    events_.reset();
+    system_ = std::move(system->system);
+    newest_.try_take();
+    // Nothing of the new system comes before the window knows of it.
+    on_window(
+        [this, request, rig = system_->rig(), hand = system->hand, stations = system->stations] {
             hand_ = hand;
             stations_ = stations;
             emit opened(request, rig);
             enqueue([this] { watch(); });
         });
-    });
 }
 
 void SystemLink::watch() {

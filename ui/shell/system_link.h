@@ -40,17 +40,18 @@ struct OpenedSystem {
 /// Opens a vision system; may take its time. Given by the program, which knows the devices.
 using SystemOpener = std::function<Result<OpenedSystem>(const SourceRequest& request)>;
 
-/// The window's end of the vision system. Opens it and carries commands to it on a thread of its
-/// own, so that the window never waits; brings snapshots back through a mailbox in which the newest
-/// wins, and events in their order. Members are called on the window's thread, where all signals
-/// are emitted as well.
+/// The window's end of the vision system. Carries commands to it on a thread of its own, and opens
+/// another one on a second, so that neither the window waits nor a halt; brings snapshots back
+/// through a mailbox in which the newest wins, and events in their order. Members are called on the
+/// window's thread, where all signals are emitted as well.
 class SystemLink : public QObject {
     Q_OBJECT
   public:
     explicit SystemLink(SystemOpener opener, QObject* parent = nullptr);
     ~SystemLink() override;
 
-    /// Opens another source. When it can't be opened, the one before goes on.
+    /// Opens another source. Until it is there, and when it can't be opened, the one before goes on
+    /// and gets the commands.
     void open(const SourceRequest& request);
     /// Carries the commands out one after the other, up to the first that is refused.
     void send(std::vector<Command> commands);
@@ -71,7 +72,9 @@ class SystemLink : public QObject {
     void busy_changed(bool busy);
 
   private:
+    void began();
     void enqueue(std::function<void()> work);
+    void take(const SourceRequest& request, Result<OpenedSystem> system);
     void execute(const std::vector<Command>& commands);
     void on_window(std::function<void()> work);
     void watch();
@@ -94,6 +97,7 @@ class SystemLink : public QObject {
     std::unique_ptr<Observation> snapshots_;
     std::unique_ptr<Observation> events_;
     WorkThread worker_;
+    WorkThread opening_;  // last: it hands what it opened to the worker
 };
 
 }  // namespace kambara::ui

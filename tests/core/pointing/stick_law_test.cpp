@@ -35,7 +35,7 @@ class StickLawTest : public testing::Test {
     }
 
     StickLaw law_;
-    PadReading pad_{true, "fake pad"};
+    PadReading pad_{true, 0, "fake pad"};
     std::int64_t now_ns_ = 1'000'000'000;
     bool answers_ = true;
 };
@@ -75,9 +75,15 @@ TEST_F(StickLawTest, APadThatVanishesStopsAtOnceAndBeginsAnew) {
     pad_.present = true;
     EXPECT_EQ(poll().state, PadState::centre_first) << "its stick is still pressed";
     EXPECT_FALSE(poll().turns());
-    EXPECT_EQ(at(0, 0).state, PadState::armed);
-    pad_.name = "another pad";
+}
+
+TEST_F(StickLawTest, AnotherPadBeginsAnewWhateverItsName) {
+    at(0, 0);
+    EXPECT_TRUE(at(1.0, 0.0).turns());
+    // Within one look at the devices the one has gone and the next is there.
+    ++pad_.device;
     EXPECT_EQ(at(1.0, 0.0).state, PadState::centre_first);
+    EXPECT_EQ(at(0, 0).state, PadState::armed);
 }
 
 TEST_F(StickLawTest, APadThatHangsStopsWithin200Milliseconds) {
@@ -101,7 +107,7 @@ TEST_F(StickLawTest, WhatNoHandHoldsSoStillIsFrozen) {
     at(0, 0);
     EXPECT_TRUE(for_s(30.0, 0.6).turns()) << "a hand moves by a hair";
     StickWish wish;
-    for (int i = 0; i < 490; ++i) {
+    for (int i = 0; i < 145; ++i) {
         wish = at(0.6, 0.0);
     }
     EXPECT_TRUE(wish.turns());

@@ -113,6 +113,27 @@ TEST_P(HeadWorkerTest, TurnsAndSettingsReachTheHead) {
     EXPECT_EQ(reading.abilities, head_->able);
 }
 
+TEST_P(HeadWorkerTest, HaltsWhatItDroveWhenItEnds) {
+    const auto ends = [this](const std::function<void(HeadWorker&)>& after) {
+        const int before = head_->count("halt");
+        after(*std::make_unique<HeadWorker>(head_, GetParam(), clock_));
+        return head_->count("halt") - before;
+    };
+    EXPECT_EQ(ends([](HeadWorker&) {}), 0);
+    EXPECT_EQ(ends([](HeadWorker& worker) {
+                  worker.command({0.5, 0.1});
+              }),
+              0)
+        << "it comes to its end by itself";
+    EXPECT_EQ(ends([](HeadWorker& worker) { worker.drive({0.2, 0.0}); }), 1);
+    EXPECT_EQ(ends([](HeadWorker& worker) {
+                  worker.drive({0.2, 0.0});
+                  worker.halt();
+              }),
+              1)
+        << "also where it could not be told yet";
+}
+
 INSTANTIATE_TEST_SUITE_P(, HeadWorkerTest,
                          testing::Values(Threading::own_thread, Threading::inline_calls),
                          [](const auto& one) {

@@ -2,9 +2,13 @@
 // The head by hand through the vision system's door: what turns it takes it from steering.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/camera/nominal_rig.h"
@@ -13,6 +17,7 @@
 #include "tests/support/list_grabber.h"
 #include "tests/support/textured_plane.h"
 #include "tests/support/told_head.h"
+#include "tests/support/wait_for_snapshot.h"
 
 namespace kambara {
 namespace {
@@ -44,6 +49,15 @@ class ManualHeadTest : public testing::Test {
         system_ = std::move(*opened);
     }
 
+    static bool until(const std::function<bool()>& is_so) {
+        for (int i = 0; i < 400; ++i) {
+            if (is_so()) {
+                return true;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return false;
+    }
     const HeadSnapshot& head() {
         last_ = system_->latest();
         return last_->head.value();
@@ -119,6 +133,62 @@ TEST_F(ManualHeadTest, WhatTheHeadLacksIsRefusedWithTheReason) {
           Command(RecallPreset{-1}), Command(DriveHead{std::nan(""), 0.0})}) {
         EXPECT_FALSE(system_->execute(command)) << command.index();
     }
+}
+
+TEST_F(ManualHeadTest, IsShownAlsoWhileNoPicturesCome) {
+    const auto shown = [this](const std::function<bool(const HeadSnapshot&)>& so) {
+        return until([&] { return so(head()); });
+    };
+    const auto at = [](double pan_rad) {
+        return [=](const HeadSnapshot& head) { return head.angles.pan_rad == pan_rad; };
+    };
+    head_->say(HeadStatus{{0.3, 0.0}, true, 0});
+    EXPECT_TRUE(shown(at(0.3))) << "paused";
+    EXPECT_TRUE(head().moving);
+    (void)testing_support::run_out(*system_);
+    head_->say(HeadStatus{{0.4, 0.0}, false, 0});
+    EXPECT_TRUE(shown(at(0.4))) << "at the end";
+    head_->say(Error{"The line was lost.", "Plug it in."});
+    EXPECT_TRUE(shown([](const HeadSnapshot& head) { return !head.fault.empty(); }));
+    // What stays as it is is not shown again and again.
+    std::atomic<int> count = 0;
+    const auto observation = system_->observe([&](const SnapshotPtr&) { ++count; });
+    std::this_thread::sleep_for(std::chrono::milliseconds(350));
+    EXPECT_EQ(count, 0);
+}
+
+TEST_F(ManualHeadTest, ADriveThatEndedByItselfIsToldWhilePaused) {
+    std::atomic<bool> told = false;
+    const auto observation = system_->observe_events([&](const Event& event) {
+        told = told || event.text.find("was halted") != std::string::npos;
+    });
+    ASSERT_TRUE(system_->execute(DriveHead{0.1, 0.0}));
+    EXPECT_TRUE(until([&] { return told.load(); }));
+    EXPECT_EQ(head_->count("halt"), 1);
+}
+
+class HeadOfShortReach : public ManualHeadTest {
+  protected:
+    HeadOfShortReach() { head_->reach.pan_rad = 0.001; }
+};
+
+TEST_F(HeadOfShortReach, ByHandNothingIsBeyondIt) {
+    ASSERT_TRUE(system_->execute(SelectTemplate{{300, 230, 31, 31}, std::nullopt}));
+    for (const Command& by_hand : {Command(HaltHead{}), Command(SteerHead{false}),
+                                   Command(MoveHead{}), Command(DriveHead{0.1, 0.0})}) {
+        ASSERT_TRUE(system_->execute(SteerHead{true}));
+        ASSERT_TRUE(system_->execute(StartTracking{}));
+        ASSERT_TRUE(head().at_limit);
+        ASSERT_TRUE(system_->execute(by_hand));
+        EXPECT_FALSE(head().at_limit) << by_hand.index();
+    }
+    ASSERT_TRUE(system_->execute(SteerHead{true}));
+    ASSERT_TRUE(system_->execute(StartTracking{}));
+    ASSERT_TRUE(system_->execute(HaltHead{}));
+    ASSERT_TRUE(system_->execute(Flow{Flow::Kind::step}));
+    ASSERT_TRUE(until([&] { return system_->latest()->frame == 1; }));
+    EXPECT_EQ(steered_estimate(*system_->latest()).state, TrackState::tracking);
+    EXPECT_FALSE(head().at_limit);
 }
 
 TEST_F(ManualHeadTest, WhatIsSeenAtAPixelComesToTheMiddle) {

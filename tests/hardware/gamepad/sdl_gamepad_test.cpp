@@ -66,6 +66,18 @@ class SdlGamepadTest : public testing::Test {
     int index_ = -1;
 };
 
+TEST_F(SdlGamepadTest, EachThatIsPluggedInHasANumberOfItsOwn) {
+    plug_in();
+    ASSERT_TRUE(until([&] { return pad_->reading().present; }));
+    const PadReading first = pad_->reading();
+    pull_out();
+    ASSERT_TRUE(until([&] { return !pad_->reading().present; }));
+    plug_in();
+    ASSERT_TRUE(until([&] { return pad_->reading().present; }));
+    EXPECT_EQ(pad_->reading().name, first.name);
+    EXPECT_NE(pad_->reading().device, first.device);
+}
+
 TEST_F(SdlGamepadTest, ReadsSticksTriggersAndTheHaltButton) {
     EXPECT_FALSE(pad_->reading().present);
     plug_in();
@@ -84,7 +96,7 @@ TEST_F(SdlGamepadTest, ReadsSticksTriggersAndTheHaltButton) {
     EXPECT_TRUE(until([&] { return pad_->reading().halt; }));
 }
 
-TEST_F(SdlGamepadTest, ItsTimeGoesOnAsLongAsItAnswers) {
+TEST_F(SdlGamepadTest, ItsTimeGoesOnAsLongAsItIsRead) {
     plug_in();
     ASSERT_TRUE(until([&] { return pad_->reading().present; }));
     for (int i = 0; i < 10; ++i) {

@@ -109,6 +109,31 @@ TEST_F(EviCameraTest, NoCallWaitsForTheLine) {
     seconds_until_at(**camera, degrees(19.9, 0.0));
 }
 
+TEST_F(EviCameraTest, AHaltIsToldBeforeItGoes) {
+    serve({});
+    const std::string uri = "visca:" + pty_;
+    auto camera = open_evi_camera(uri, clock_);
+    ASSERT_TRUE(camera.ok()) << camera.error().text();
+    const auto look_later = [&] {
+        std::this_thread::sleep_for(milliseconds(300));
+        return (*camera)->status();
+    };
+    ASSERT_TRUE((*camera)->drive(rad_from_deg(10.0), 0.0).ok());
+    ASSERT_TRUE(look_later()->moving);
+    ASSERT_TRUE((*camera)->halt().ok());
+    const auto began = std::chrono::steady_clock::now();
+    camera->reset();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    EXPECT_LT(took.count(), 0.5);
+    camera = open_evi_camera(uri, clock_);
+    ASSERT_TRUE(camera.ok()) << camera.error().text();
+    const auto then = look_later();
+    const auto later = look_later();
+    ASSERT_TRUE(then.ok() && later.ok());
+    EXPECT_EQ(then->angles, later->angles) << "it turns on";
+    EXPECT_GT(later->angles.pan_rad, 0.0);
+}
+
 TEST_F(EviCameraTest, RefusesWhatCannotBe) {
     serve({});
     const auto camera = open_evi_camera("visca:" + pty_, clock_);

@@ -41,6 +41,9 @@ class HeadDriverTest : public testing::Test {
     void by_hand(double pan, double tilt) {
         queue_.put(Motion{Motion::Kind::look, degrees(pan, tilt), {}, true});
     }
+    void drive(double pan_deg_s) {
+        queue_.put(Motion{Motion::Kind::drive, degrees(pan_deg_s, 0.0), {}, true});
+    }
     double pan_deg() const { return line_->camera.state().pan_steps / 8.8; }
     double tilt_deg() const { return line_->camera.state().tilt_steps / 12.0; }
     int sent(Op op) const {
@@ -171,6 +174,87 @@ TEST_F(HeadDriverTest, DrivesAtASpeedAlsoOutOfAMove) {
     queue_.halt();
     run_s(0.5);
     EXPECT_FALSE(line_->camera.state().moving);
+}
+
+TEST_F(HeadDriverTest, HaltsAHeadWhoseRepliesDoNotCome) {
+    for (const Wiring wiring : {Wiring::serial, Wiring::tcp, Wiring::udp}) {
+        SCOPED_TRACE(static_cast<int>(wiring));
+        HeadDriver::Options options;
+        options.session.wiring = wiring;
+        make({}, options);
+        run_s(0.3);
+        drive(10.0);
+        run_s(0.3);
+        ASSERT_TRUE(line_->camera.state().moving);
+        line_->carries_replies = false;
+        // Said again and again, as who holds a key does; the session gives up meanwhile.
+        for (int i = 0; i < 20; ++i) {
+            drive(10.0);
+            run_s(0.05);
+        }
+        EXPECT_FALSE(driver_->connected());
+        queue_.halt();
+        run_s(0.5);
+        EXPECT_FALSE(line_->camera.state().moving);
+        line_->carries_replies = true;
+        run_s(1.5);
+        EXPECT_TRUE(driver_->connected());
+        EXPECT_FALSE(line_->camera.state().moving);
+    }
+}
+
+TEST_F(HeadDriverTest, WhatIsNotHeardOfIsNotDrivenOn) {
+    make();
+    run_s(0.3);
+    drive(10.0);
+    run_s(0.3);
+    line_->carries_replies = false;
+    run_s(1.5);
+    EXPECT_FALSE(driver_->connected());
+    EXPECT_FALSE(line_->camera.state().moving) << "also while the key is held";
+}
+
+TEST_F(HeadDriverTest, ALostDriveIsNotToldAgainOnceItIsHalted) {
+    make();
+    run_s(1.0);
+    line_->carries_to_camera = false;
+    drive(20.0);
+    run_s(0.01);
+    ASSERT_EQ(sent(Op::drive), 1);
+    queue_.halt();
+    line_->carries_to_camera = true;
+    run_s(1.0);
+    EXPECT_EQ(sent(Op::drive), 2) << "the stop";
+    EXPECT_EQ(pan_deg(), 0.0);
+}
+
+TEST_F(HeadDriverTest, ALostDriveThatIsStillWantedIsToldAgain) {
+    make();
+    run_s(1.0);
+    line_->carries_to_camera = false;
+    drive(20.0);
+    run_s(0.01);
+    line_->carries_to_camera = true;
+    run_s(0.3);
+    EXPECT_TRUE(line_->camera.state().moving);
+    EXPECT_EQ(sent(Op::drive), 2);
+}
+
+TEST_F(HeadDriverTest, AStopThatIsCompletedLateLeavesTheNextMotionAlone) {
+    EviSimulator::Options camera;
+    camera.completes_stop_at_rest = true;
+    make({}, {}, camera);
+    run_s(0.3);
+    drive(60.0);
+    run_s(0.5);
+    queue_.halt();
+    run_s(0.07);
+    ASSERT_TRUE(line_->camera.state().moving) << "it brakes";
+    ASSERT_FALSE(driver_->status().value().moving) << "the stop was acknowledged";
+    steer(90.0, 0.0);
+    run_s(0.2);
+    ASSERT_TRUE(line_->camera.state().moving);
+    EXPECT_TRUE(driver_->status().value().moving);
 }
 
 TEST_F(HeadDriverTest, ZoomsFocusesAndKeepsPresets) {

@@ -343,6 +343,22 @@ TEST_F(SonySession, ResetsANumberThatIsOutOfStep) {
     EXPECT_EQ(outcomes(), Kinds{Kind::forgotten});
 }
 
+TEST_F(SonySession, TellsAHeadThatDoesNotAnswerWhatIsWished) {
+    make_ready();
+    session_->set_wish(Message{Op::home});
+    for (int i = 0; i < 10 && session_->ready(); ++i) {
+        session_->send({Op::ask_power}, now_ns_, {0, false});
+        wait_ms(100);
+    }
+    ASSERT_FALSE(session_->ready());
+    sent();
+    wait_ms(100);
+    EXPECT_EQ(sent(), "02 00 00 01 00 00 00 00 01 | 01 00 00 05 00 00 00 01 81 01 06 04 FF");
+    say("02 01 00 01 00 00 00 00 01");
+    EXPECT_EQ(sent(),
+              "01 20 00 05 00 00 00 02 81 01 00 01 FF | 01 00 00 05 00 00 00 03 81 01 06 04 FF");
+}
+
 // With the simulated camera, on a line of 9600 baud.
 TEST(ViscaSession, WorksWithTheSimulatedCamera) {
     std::int64_t now_ns = 0;

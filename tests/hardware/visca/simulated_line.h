@@ -20,7 +20,11 @@ class SimulatedLine {
           to_camera_(faults, byte_time_ns(baud), now_ns),
           to_controller_(with_other_seed(faults), byte_time_ns(baud), now_ns) {}
 
-    void send(const Bytes& packet, std::int64_t now_ns) { to_camera_.put(packet, now_ns); }
+    void send(const Bytes& packet, std::int64_t now_ns) {
+        if (carries_to_camera) {
+            to_camera_.put(packet, now_ns);
+        }
+    }
 
     /// Lives on until `now_ns`; what arrived at the controller by then.
     std::vector<Bytes> advance(std::int64_t now_ns) {
@@ -35,7 +39,9 @@ class SimulatedLine {
                 }
             }
             for (const auto& output : camera.advance(step_ns)) {
-                to_controller_.put(output.packet, output.time_ns);
+                if (carries_replies) {
+                    to_controller_.put(output.packet, output.time_ns);
+                }
             }
             if (step_ns >= now_ns) {
                 return to_controller_.take(now_ns);
@@ -55,6 +61,8 @@ class SimulatedLine {
     void forget_begun_packet() { reader_.reset(); }
 
     EviSimulator camera;
+    bool carries_to_camera = true;
+    bool carries_replies = true;
 
   private:
     static LineFaults with_other_seed(LineFaults faults) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hardware/visca/head_model.h"
+#include "hardware/visca/head_kind.h"
 
 #include <gtest/gtest.h>
 
@@ -13,21 +13,21 @@
 namespace kambara::visca {
 namespace {
 
-const HeadModel& head(const char* name) {
-    static HeadModel found;
+const HeadKind& head(const char* name) {
+    static HeadKind found;
     found = find_head(built_in_heads(), std::string_view(name)).value();
     return found;
 }
 
-TEST(HeadModel, TheTableHoldsWhatTheManualsSay) {
-    const HeadModel d30 = head("evi-d30");
+TEST(HeadKind, TheTableHoldsWhatTheManualsSay) {
+    const HeadKind d30 = head("evi-d30");
     EXPECT_EQ(d30.pan.steps_from_deg(100.0), 0x370);
     EXPECT_EQ(d30.pan.steps_from_deg(-100.0), -880);
     EXPECT_EQ(d30.tilt.steps_from_deg(25.0), 300);
     EXPECT_EQ(d30.limits(), HeadLimits{});
     EXPECT_NEAR(deg_from_rad(d30.zoom.horizontal_view_rad(0.0)), 48.8, 0.1);
     EXPECT_NEAR(deg_from_rad(d30.zoom.horizontal_view_rad(0x3FF)), 4.4, 0.1);
-    const HeadModel d70 = head("evi-d70");
+    const HeadKind d70 = head("evi-d70");
     EXPECT_EQ(d70.pan.steps_from_deg(170.0), 2266);
     EXPECT_EQ(d70.tilt.steps_from_deg(90.0), 0x4B0);
     EXPECT_EQ(d70.tilt.steps_from_deg(-30.0), -400);
@@ -35,7 +35,7 @@ TEST(HeadModel, TheTableHoldsWhatTheManualsSay) {
     EXPECT_EQ(head("evi-d80").pan.steps_from_deg(170.0), 0x1E1B);
     EXPECT_EQ(head("evi-d100").pan.steps_from_deg(100.0), 0x5A0);
     EXPECT_EQ(head("evi-d100").tilt.steps_from_deg(25.0), 0x168);
-    const HeadModel brc = head("brc");
+    const HeadKind brc = head("brc");
     EXPECT_EQ(brc.pan.steps_from_deg(-170.0), 0x08A58) << "left is positive";
     EXPECT_EQ(brc.pan.steps_from_deg(170.0), -0x08A58);
     EXPECT_NEAR(brc.pan.deg_from_steps(0x08A58), -170.0, 1e-3);
@@ -48,7 +48,7 @@ TEST(HeadModel, TheTableHoldsWhatTheManualsSay) {
     EXPECT_FALSE(find_head(built_in_heads(), 0x999).has_value());
 }
 
-TEST(HeadModel, TheDocumentedExampleIsTheEviD30) {
+TEST(HeadKind, TheDocumentedExampleIsTheEviD30) {
     std::ifstream file(std::string(KAMBARA_SOURCE) + "/resources/README.md");
     const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     const auto fence = page.find("```", page.find("<!-- example: heads -->"));
@@ -59,8 +59,8 @@ TEST(HeadModel, TheDocumentedExampleIsTheEviD30) {
     EXPECT_EQ(*heads, std::vector{built_in_heads()[0]});
 }
 
-TEST(HeadModel, NeverGoesBeyondItsEnds) {
-    for (const HeadModel& model : built_in_heads()) {
+TEST(HeadKind, NeverGoesBeyondItsEnds) {
+    for (const HeadKind& model : built_in_heads()) {
         for (const AxisModel& axis : {model.pan, model.tilt}) {
             for (double deg = -400.0; deg < 400.0; deg += 0.37) {
                 const double reached = axis.deg_from_steps(axis.steps_from_deg(deg));
@@ -74,7 +74,7 @@ TEST(HeadModel, NeverGoesBeyondItsEnds) {
     }
 }
 
-TEST(HeadModel, SpeedsHaveTheCodeBelow) {
+TEST(HeadKind, SpeedsHaveTheCodeBelow) {
     const AxisModel pan = head("evi-d30").pan;
     EXPECT_EQ(pan.code_for(80.0), 0x18);
     EXPECT_EQ(pan.code_for(-40.0), 12);
@@ -82,7 +82,7 @@ TEST(HeadModel, SpeedsHaveTheCodeBelow) {
     EXPECT_EQ(pan.code_for(0.1), 1) << "never 0, which is no speed";
 }
 
-TEST(HeadModel, ATableNamesTheKeyAtFault) {
+TEST(HeadKind, ATableNamesTheKeyAtFault) {
     const std::string good = built_in_heads_text();
     ASSERT_TRUE(heads_from_text(good).ok());
     const std::pair<const char*, const char*> faults[] = {

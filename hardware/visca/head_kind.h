@@ -51,7 +51,7 @@ struct ZoomModel {
 };
 
 /// What a kind of head means by its numbers, from resources/heads/visca.yaml.
-struct HeadModel {
+struct HeadKind {
     std::string name;
     std::vector<int> models;  ///< of the version inquiry
     AxisModel pan;
@@ -62,7 +62,7 @@ struct HeadModel {
     int presets = 6;
     bool replaces_moves = true;
     double cancel_wait_s = 0.0;
-    bool operator==(const HeadModel&) const = default;
+    bool operator==(const HeadKind&) const = default;
 
     Dialect dialect() const { return {pan.nibbles}; }
     /// The largest range about home that is the same on both sides.
@@ -70,13 +70,13 @@ struct HeadModel {
 };
 
 /// The table that is built in: resources/heads/visca.yaml.
-const std::vector<HeadModel>& built_in_heads();
+const std::vector<HeadKind>& built_in_heads();
 
 /// Such a table from text or a file. Refuses, naming the key at fault. Any bytes are safe to pass.
-Result<std::vector<HeadModel>> heads_from_text(std::string_view text);
-Result<std::vector<HeadModel>> read_heads_file(const std::filesystem::path& path);
+Result<std::vector<HeadKind>> heads_from_text(std::string_view text);
+Result<std::vector<HeadKind>> read_heads_file(const std::filesystem::path& path);
 
-std::optional<HeadModel> find_head(const std::vector<HeadModel>& heads, int model);
-std::optional<HeadModel> find_head(const std::vector<HeadModel>& heads, std::string_view name);
+std::optional<HeadKind> find_head(const std::vector<HeadKind>& heads, int model);
+std::optional<HeadKind> find_head(const std::vector<HeadKind>& heads, std::string_view name);
 
 }  // namespace kambara::visca

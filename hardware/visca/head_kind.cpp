@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hardware/visca/head_model.h"
+#include "hardware/visca/head_kind.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -105,8 +105,8 @@ ZoomModel read_zoom(const YAML::Node& head, const std::string& where) {
     return zoom;
 }
 
-HeadModel read_head(const YAML::Node& node, const std::string& where) {
-    HeadModel head;
+HeadKind read_head(const YAML::Node& node, const std::string& where) {
+    HeadKind head;
     const YAML::Node name = child(node, where, "name");
     if (!name.IsScalar() || name.Scalar().empty()) {
         throw Bad{where + "name is no text"};
@@ -182,13 +182,13 @@ double ZoomModel::horizontal_view_rad(double position) const {
     return 2.0 * std::atan2(sensor_width_mm, 2.0 * f_mm);
 }
 
-HeadLimits HeadModel::limits() const {
+HeadLimits HeadKind::limits() const {
     return {rad_from_deg(std::min(-pan.least_deg, pan.most_deg)),
             rad_from_deg(std::min(-tilt.least_deg, tilt.most_deg)), rad_from_deg(pan.fastest_deg_s),
             rad_from_deg(tilt.fastest_deg_s)};
 }
 
-Result<std::vector<HeadModel>> heads_from_text(std::string_view text) {
+Result<std::vector<HeadKind>> heads_from_text(std::string_view text) {
     try {
         const YAML::Node root = YAML::Load(std::string(text));
         const YAML::Node format = child(root, "", "format");
@@ -202,7 +202,7 @@ Result<std::vector<HeadModel>> heads_from_text(std::string_view text) {
         if (!list.IsSequence() || list.size() == 0) {
             throw Bad{"heads is no list"};
         }
-        std::vector<HeadModel> heads;
+        std::vector<HeadKind> heads;
         for (std::size_t i = 0; i < list.size(); ++i) {
             heads.push_back(read_head(list[i], "heads[" + std::to_string(i) + "]."));
         }
@@ -214,7 +214,7 @@ Result<std::vector<HeadModel>> heads_from_text(std::string_view text) {
     }
 }
 
-Result<std::vector<HeadModel>> read_heads_file(const std::filesystem::path& path) {
+Result<std::vector<HeadKind>> read_heads_file(const std::filesystem::path& path) {
     const auto text = read_text_file(path, std::size_t{1} << 20);
     if (!text) {
         return text.error();
@@ -226,8 +226,8 @@ Result<std::vector<HeadModel>> read_heads_file(const std::filesystem::path& path
     return heads;
 }
 
-const std::vector<HeadModel>& built_in_heads() {
-    static const std::vector<HeadModel> heads = [] {
+const std::vector<HeadKind>& built_in_heads() {
+    static const std::vector<HeadKind> heads = [] {
         auto read = heads_from_text(built_in_heads_text());
         if (!read) {
             throw std::logic_error(read.error().text());
@@ -237,16 +237,16 @@ const std::vector<HeadModel>& built_in_heads() {
     return heads;
 }
 
-std::optional<HeadModel> find_head(const std::vector<HeadModel>& heads, int model) {
-    const auto found = std::find_if(heads.begin(), heads.end(), [&](const HeadModel& head) {
+std::optional<HeadKind> find_head(const std::vector<HeadKind>& heads, int model) {
+    const auto found = std::find_if(heads.begin(), heads.end(), [&](const HeadKind& head) {
         return std::find(head.models.begin(), head.models.end(), model) != head.models.end();
     });
     return found == heads.end() ? std::nullopt : std::optional(*found);
 }
 
-std::optional<HeadModel> find_head(const std::vector<HeadModel>& heads, std::string_view name) {
+std::optional<HeadKind> find_head(const std::vector<HeadKind>& heads, std::string_view name) {
     const auto found = std::find_if(heads.begin(), heads.end(),
-                                    [&](const HeadModel& head) { return head.name == name; });
+                                    [&](const HeadKind& head) { return head.name == name; });
     return found == heads.end() ? std::nullopt : std::optional(*found);
 }
 
