@@ -4,8 +4,10 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QMessageBox>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest>
 
 #include "tests/ui/form_page.h"
@@ -59,6 +61,55 @@ TEST(RangeExperimentInTheWindow, GoesByItselfOnTheSimulatedStations) {
     EXPECT_TRUE(form.window().unsaved().isEmpty());
     EXPECT_EQ(read(folder.filePath("table.csv")).count('\n'), 1 + table.measured());
     EXPECT_TRUE(read(folder.filePath("page.html")).contains("Range error against depth z"));
+}
+
+// Presses the same button of every question about something unsaved, and counts them.
+class Answers {
+  public:
+    explicit Answers(const QString& button) {
+        QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, button] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            for (QAbstractButton* one :
+                 box != nullptr ? box->buttons() : QList<QAbstractButton*>()) {
+                if (one->text().remove(QLatin1Char('&')) == button) {
+                    ++count_;
+                    QTest::mouseClick(one, Qt::LeftButton);
+                }
+            }
+        });
+        timer_.start(50);
+    }
+    int count() const { return count_; }
+
+  private:
+    QTimer timer_;
+    int count_ = 0;
+};
+
+TEST(RangeExperimentInTheWindow, QuittingAsksOnceAndTakesTheFormsAlong) {
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    FormPage form(page, "rangeExperiment", "rangeWindow");
+    auto& table = form.part<ui::PlaceTable>("placeTable");
+    table.add_place(Eigen::Vector3d(100, 150, 1950));
+    table.setCurrentCell(0, 0);
+    page.drag(page.target());
+    form.press("measurePlace");
+    ASSERT_TRUE(WindowPage::until([&] { return table.measured() == 1; }, 30));
+    {
+        const Answers keep(QStringLiteral("Keep it"));
+        page.action("quit").trigger();
+        WindowPage::until([] { return false; }, 1);
+        EXPECT_EQ(keep.count(), 1);
+        EXPECT_TRUE(page.window().isVisible());
+        EXPECT_TRUE(form.window().isVisible());
+    }
+    const Answers drop(QStringLiteral("Close without saving"));
+    page.action("quit").trigger();
+    WindowPage::until([] { return false; }, 1);
+    EXPECT_EQ(drop.count(), 1);
+    EXPECT_FALSE(page.window().isVisible());
+    EXPECT_FALSE(form.window().isVisible());
 }
 
 TEST(RangeExperimentInTheWindowSlow, AllSeventyFivePlacesByItself) {

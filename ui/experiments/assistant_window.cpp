@@ -68,8 +68,14 @@ bool AssistantWindow::may_drop(const QString& button) {
     return box.clickedButton() == drop;
 }
 
+void AssistantWindow::close_unasked() {
+    asked_ = true;
+    close();
+    asked_ = false;
+}
+
 void AssistantWindow::closeEvent(QCloseEvent* event) {
-    if (!may_close()) {
+    if (!asked_ && !may_close()) {
         event->ignore();
         return;
     }

@@ -28,6 +28,8 @@ class AssistantWindow : public QWidget {
     virtual QString unsaved() const = 0;
     /// Asks where something would be lost; true where the window may go.
     bool may_close();
+    /// Closes without asking: that has been done.
+    void close_unasked();
 
   signals:
     void command_asked(const kambara::Command& command);
@@ -49,6 +51,7 @@ class AssistantWindow : public QWidget {
     void say(const QString& text, const QColor& colour);
 
     QLabel* said_;
+    bool asked_ = false;
 };
 
 /// A label that may be as long as its text: in several lines, selectable.

@@ -85,4 +85,12 @@ bool Assistants::may_close() {
     return true;
 }
 
+void Assistants::close_all() {
+    for (AssistantWindow* window : windows_) {
+        if (window->isVisible()) {
+            window->close_unasked();
+        }
+    }
+}
+
 }  // namespace kambara::ui

@@ -310,6 +310,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (options_.keep_layout) {
         save_layout(*this);
     }
+    // Left open, they would ask again, and one that stays would keep the program running.
+    assistants_->close_all();
     QMainWindow::closeEvent(event);
 }
 
