@@ -112,6 +112,32 @@ TEST(RangeExperimentInTheWindow, QuittingAsksOnceAndTakesTheFormsAlong) {
     EXPECT_FALSE(form.window().isVisible());
 }
 
+TEST(RangeExperimentInTheWindow, TypedPlacesAreNotLostUnasked) {
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    FormPage form(page, "rangeExperiment", "rangeWindow");
+    form.press("addPlace");
+    EXPECT_TRUE(form.window().unsaved().isEmpty()) << "an empty row holds nothing";
+    for (const char* number : {"200", "150.5"}) {
+        QTest::keyClicks(QApplication::focusWidget(), number);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
+    // The third is still in its field, not in the table, when the program is left.
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("2000"));
+    {
+        const Answers keep(QStringLiteral("Keep it"));
+        page.action("quit").trigger();
+        EXPECT_EQ(keep.count(), 1);
+        EXPECT_TRUE(page.window().isVisible());
+    }
+    EXPECT_EQ(form.part<ui::PlaceTable>("placeTable").known_mm(0),
+              Eigen::Vector3d(200, 150.5, 2000));
+    const Answers drop(QStringLiteral("Close without saving"));
+    page.action("quit").trigger();
+    EXPECT_EQ(drop.count(), 1);
+    EXPECT_FALSE(page.window().isVisible());
+}
+
 TEST(RangeExperimentInTheWindowSlow, AllSeventyFivePlacesByItself) {
     WindowPage page(WindowPage::simulated(false), "stations");
     ASSERT_TRUE(page.until_picture());

@@ -54,6 +54,10 @@ bool AssistantWindow::may_close() {
 }
 
 bool AssistantWindow::may_drop(const QString& button) {
+    // What is still being typed counts: a field that loses the keyboard takes it over.
+    if (QWidget* typed = focusWidget()) {
+        typed->clearFocus();
+    }
     const QString lost = unsaved();
     if (lost.isEmpty()) {
         return true;

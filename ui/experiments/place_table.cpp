@@ -25,6 +25,8 @@ enum Column {
     columns
 };
 
+constexpr int typed_role = Qt::UserRole;  // true: by hand, not read from a file
+
 std::optional<double> number_in(const QTableWidgetItem* item) {
     if (item == nullptr) {
         return std::nullopt;
@@ -51,6 +53,9 @@ PlaceTable::PlaceTable(QWidget* parent) : QTableWidget(0, columns, parent) {
     setAccessibleName(tr("Known places"));
     connect(this, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
         if (!filling_ && item->column() <= known_z) {
+            filling_ = true;
+            item->setData(typed_role, true);
+            filling_ = false;
             mark(item);
             emit known_changed();
         }
@@ -150,6 +155,19 @@ void PlaceTable::show_difference(int row, const std::optional<Difference>& diffe
 int PlaceTable::measured() const {
     return static_cast<int>(std::count_if(readings_.begin(), readings_.end(),
                                           [](const auto& readings) { return !readings.empty(); }));
+}
+
+int PlaceTable::typed_only() const {
+    int typed = 0;
+    for (int row = 0; row < rowCount(); ++row) {
+        bool any = false;
+        for (const int column : {known_x, known_y, known_z}) {
+            const QTableWidgetItem* one = item(row, column);
+            any = any || (one->data(typed_role).toBool() && !one->text().trimmed().isEmpty());
+        }
+        typed += any && readings(row).empty() ? 1 : 0;
+    }
+    return typed;
 }
 
 int PlaceTable::next_to_measure(int row) const {

@@ -30,6 +30,8 @@ class PlaceTable : public QTableWidget {
     /// What is left between both, where the frame of the known place is known.
     void show_difference(int row, const std::optional<Difference>& difference);
     int measured() const;  ///< rows
+    /// Rows that were typed, if only in part, and have no readings.
+    int typed_only() const;
     /// The first row after `row`, and then from the top, that has no readings; -1 where all have.
     int next_to_measure(int row) const;
 

@@ -377,8 +377,13 @@ void RangeWindow::save(const QString& file, bool page) {
 }
 
 QString RangeWindow::unsaved() const {
-    return saved_ || table_->measured() == 0 ? QString()
-                                             : tr("The measured places have not been saved.");
+    if (!saved_ && table_->measured() > 0) {
+        return tr("The measured places have not been saved.");
+    }
+    const int typed = table_->typed_only();
+    return typed > 0
+               ? tr("Places that were typed and not measured yet would be lost: %1.").arg(typed)
+               : QString();
 }
 
 void RangeWindow::leave() {
