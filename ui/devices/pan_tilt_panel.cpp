@@ -140,10 +140,13 @@ void PanTiltPanel::show_snapshot(const SnapshotPtr& snapshot) {
         return;
     }
     pad_->set_limits(limits);
+    const bool faulty = !head->fault.empty();
     angles_->setText(tr("pan %1   tilt %2   %3")
                          .arg(degrees(head->angles.pan_rad), degrees(head->angles.tilt_rad),
-                              head->automatic ? tr("steered to the target") : tr("by hand")));
-    if (!head->fault.empty()) {
+                              faulty            ? tr("as it last said")
+                              : head->automatic ? tr("steered to the target")
+                                                : tr("by hand")));
+    if (faulty) {
         note_->setText(translated(head->fault));
         note_->setStyleSheet(QStringLiteral("color: %1").arg(theme::bad.name()));
     } else {
