@@ -63,6 +63,26 @@ std::vector<std::string> summary_row(const char* when, double baseline_mm,
 
 }  // namespace
 
+std::string range_verdict_sentence(const RangeExperiment& experiment) {
+    const std::string bar = " (1999 reached " + number(mean_range_error_1999_pct, 2) +
+                            " % in the mean, " + number(worst_range_error_1999_pct, 2) +
+                            " % at worst)";
+    switch (experiment.verdict) {
+        case RangeVerdict::good:
+            return "Good without any correction" + bar + ".";
+        case RangeVerdict::good_corrected:
+            return "Good after the correction of the baseline" + bar + ".";
+        case RangeVerdict::not_good:
+            return "Not good, even after the correction" + bar + ".";
+        case RangeVerdict::too_few_places:
+            break;
+    }
+    return "Not good without a correction" + bar +
+           ", and a baseline that is fitted to fewer than " +
+           std::to_string(least_stations_to_correct) +
+           " places proves nothing: no verdict on the correction.";
+}
+
 std::string range_test_table(const RangeExperiment& experiment) {
     std::string table =
         "station,known_x_mm,known_y_mm,known_z_mm,measured_x_mm,measured_y_mm,measured_z_mm,"
@@ -99,14 +119,17 @@ std::string range_test_page(const RangeExperiment& experiment, double baseline_m
                 "position, mean mm", "worst mm"},
                {summary_row("before", baseline_mm, experiment.before),
                 summary_row("after", experiment.corrected_baseline_mm, experiment.after)});
-    if (experiment.corrected_baseline_sigma_mm > 0.0) {
+    page.paragraph(range_verdict_sentence(experiment));
+    if (!experiment.baseline_found) {
+        page.paragraph("The corrected baseline was measured by other means.");
+    } else if (experiment.before.stations.size() == 1) {
+        page.paragraph("The corrected baseline rests on one place alone.");
+    } else {
         page.paragraph(
             "The corrected baseline is the one that suits these places best, with a "
             "deviation of " +
             number(experiment.corrected_baseline_sigma_mm, 3) +
             " mm: what is left after it says nothing of scale.");
-    } else {
-        page.paragraph("The corrected baseline was measured by other means.");
     }
     page.heading("Estimates, level by level");
     std::vector<std::size_t> all;

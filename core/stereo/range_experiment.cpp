@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "core/geometry/rigid_transform.h"
@@ -110,7 +111,48 @@ double best_factor(const Points& known, const Points& measured, bool fit_frame) 
     return ratio.sum() / ratio.squaredNorm();
 }
 
+bool within_1999(const RangeErrors& errors) {
+    return errors.mean_range_pct <= mean_range_error_1999_pct &&
+           errors.worst_range_pct <= worst_range_error_1999_pct;
+}
+
+RangeVerdict verdict_of(const RangeExperiment& experiment) {
+    if (within_1999(experiment.before)) {
+        return RangeVerdict::good;
+    }
+    if (experiment.baseline_found &&
+        experiment.before.stations.size() < least_stations_to_correct) {
+        return RangeVerdict::too_few_places;
+    }
+    return within_1999(experiment.after) ? RangeVerdict::good_corrected : RangeVerdict::not_good;
+}
+
+Error no_such_baseline(const RangeExperiment& experiment, double baseline_mm) {
+    char cause[240];
+    std::snprintf(cause, sizeof cause,
+                  "The baseline that suits the known places best is %.0f mm, the rig's is %.0f mm, "
+                  "and the range error is %.1f %% in the mean: that is no wrong baseline.",
+                  experiment.corrected_baseline_mm, baseline_mm, experiment.before.mean_range_pct);
+    return {cause,
+            "Check the known places, their frame and their unit, and that the target that was "
+            "followed stood there; or give the baseline measured by tape."};
+}
+
 }  // namespace
+
+const char* to_string(RangeVerdict verdict) {
+    switch (verdict) {
+        case RangeVerdict::good:
+            return "good";
+        case RangeVerdict::good_corrected:
+            return "good_corrected";
+        case RangeVerdict::not_good:
+            return "not_good";
+        case RangeVerdict::too_few_places:
+            break;
+    }
+    return "too_few_places";
+}
 
 Result<RangeExperiment> judge_ranges(const std::vector<RangeStation>& stations,
                                      const RangeExperimentOptions& options) {
@@ -145,13 +187,17 @@ Result<RangeExperiment> judge_ranges(const std::vector<RangeStation>& stations,
                               ? *options.true_baseline_mm / options.baseline_mm
                               : best_factor(reading->known, reading->measured, options.fit_frame);
     result.corrected_baseline_mm = factor * options.baseline_mm;
+    result.baseline_found = !options.true_baseline_mm;
+    if (result.baseline_found && !(std::abs(factor - 1.0) <= most_correction_share)) {
+        return no_such_baseline(result, options.baseline_mm);
+    }
     const Points corrected = factor * reading->measured;
     std::vector<double> scatter_mm = reading->scatter_mm;
     for (double& one : scatter_mm) {
         one *= factor;
     }
     result.after = errors_of(in_left(corrected), corrected, scatter_mm);
-    if (!options.true_baseline_mm && known_before.cols() > 1) {
+    if (result.baseline_found && known_before.cols() > 1) {
         double squares = 0.0;
         for (const StationError& one : result.after.stations) {
             squares += std::pow(0.01 * one.range_error_pct, 2);
@@ -160,6 +206,7 @@ Result<RangeExperiment> judge_ranges(const std::vector<RangeStation>& stations,
         result.corrected_baseline_sigma_mm =
             result.corrected_baseline_mm * std::sqrt(squares / (count - 1.0) / count);
     }
+    result.verdict = verdict_of(result);
     return result;
 }
 

@@ -2,12 +2,23 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "core/base/result.h"
 
 namespace kambara {
+
+/// The bar of 1999 (section 7.2.3): the mean and the worst range error after its baseline had been
+/// corrected.
+inline constexpr double mean_range_error_1999_pct = 1.33;
+inline constexpr double worst_range_error_1999_pct = 2.76;
+/// A baseline that is fitted to fewer places says nothing of what is left after it.
+inline constexpr std::size_t least_stations_to_correct = 4;
+/// 1999 corrected its baseline by 15 %. One that would have to change by more is no baseline that
+/// is wrong, but places or a target that are.
+inline constexpr double most_correction_share = 0.25;
 
 /// A known place and the positions measured while the target was there, in the left camera's frame.
 struct RangeStation {
@@ -45,11 +56,23 @@ struct RangeErrors {
     double worst_position_mm = 0.0;
 };
 
+enum class RangeVerdict {
+    good,            ///< within the bar of 1999 without any correction
+    good_corrected,  ///< with the corrected baseline
+    not_good,        ///< not even then
+    too_few_places,  ///< not without a correction, and a found one would prove nothing
+};
+
+const char* to_string(RangeVerdict verdict);  ///< as the enumerator
+
 struct RangeExperiment {
     RangeErrors before;
     RangeErrors after;  ///< with the corrected baseline
+    RangeVerdict verdict = RangeVerdict::not_good;
     double corrected_baseline_mm = 0.0;
-    /// One deviation of a found baseline, as the stations' errors scatter; 0 where it was given.
+    bool baseline_found = false;  ///< from the places; false: given
+    /// One deviation of a found baseline, as the stations' errors scatter; 0 where it was given or
+    /// rests on one station.
     double corrected_baseline_sigma_mm = 0.0;
 };
 
@@ -57,7 +80,8 @@ struct RangeExperiment {
 /// section 7.2.3: errors of about 15 % fell to 1.33 % in the mean). A baseline longer by a factor
 /// makes every position that much farther from the left camera's centre, so nothing is matched or
 /// triangulated anew. Refuses: no station or one without readings, places that are not finite or
-/// before the cameras, a frame to be fitted to fewer than four places or to places on one line.
+/// before the cameras, a frame to be fitted to fewer than four places or to places on one line, a
+/// baseline found that is beyond most_correction_share.
 Result<RangeExperiment> judge_ranges(const std::vector<RangeStation>& stations,
                                      const RangeExperimentOptions& options);
 

@@ -166,10 +166,10 @@ TEST(RangeExperimentInTheWindow, PlacesAreReadTypedMeasuredAndNotLostUnasked) {
     write(folder.filePath("bad.csv"), "x_mm,y_mm,z_mm\n1,two,3\n");
     range->load(folder.filePath("bad.csv"));
     ASSERT_TRUE(WindowPage::until([&] { return form.said().contains("Line 2"); }));
-    write(folder.filePath("places.csv"), "x_mm,y_mm,z_mm\n100,150,1950\n");
+    write(folder.filePath("places.csv"), "x_mm,y_mm,z_mm\n300,220,1500\n");
     range->load(folder.filePath("places.csv"));
     ASSERT_TRUE(WindowPage::until([&] { return table.rowCount() == 1; }));
-    EXPECT_EQ(table.known_mm(0), Eigen::Vector3d(100, 150, 1950));
+    EXPECT_EQ(table.known_mm(0), Eigen::Vector3d(300, 220, 1500));
     form.press("addPlace");
     ASSERT_EQ(table.rowCount(), 2);
     EXPECT_FALSE(form.can_press("measurePlace"));
@@ -197,6 +197,9 @@ TEST(RangeExperimentInTheWindow, PlacesAreReadTypedMeasuredAndNotLostUnasked) {
     auto& tabs = form.part<QTabWidget>("rangeTabs");
     ASSERT_TRUE(WindowPage::until([&] { return tabs.currentIndex() == 1; }));
     EXPECT_TRUE(form.said().contains("took no part")) << form.said().toStdString();
+    EXPECT_FALSE(form.text("rangeVerdict").contains("Good after"))
+        << "one place proves no baseline: " << form.text("rangeVerdict").toStdString();
+    EXPECT_TRUE(form.text("rangeSentence").contains("rests on one place alone"));
     FormPage::answer("unsavedQuestion", "Keep it");
     form.window().close();
     EXPECT_TRUE(form.window().isVisible());
