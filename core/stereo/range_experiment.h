@@ -20,11 +20,26 @@ inline constexpr std::size_t least_stations_to_correct = 4;
 /// is wrong, but places or a target that are.
 inline constexpr double most_correction_share = 0.25;
 
+/// The target moved, or another was matched, while readings lie farther apart than this (RMS about
+/// their mean, by the distance): a rig's noise is a tenth of it.
+inline constexpr double most_spread_share = 0.005;
+
 /// A known place and the positions measured while the target was there, in the left camera's frame.
 struct RangeStation {
     Eigen::Vector3d known_mm = Eigen::Vector3d::Zero();  ///< in the frame in which it was measured
     std::vector<Eigen::Vector3d> readings_in_left_mm;    ///< one or more
 };
+
+/// How far readings lie about their mean in all directions, RMS; and whether the target stood still
+/// meanwhile (most_spread_share).
+struct Spread {
+    Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();
+    double rms_mm = 0.0;
+    bool steady = true;
+};
+
+/// Of one reading or more.
+Spread spread_of(const std::vector<Eigen::Vector3d>& readings_mm);
 
 struct RangeExperimentOptions {
     double baseline_mm = 0.0;  ///< of the rig that measured
@@ -44,6 +59,8 @@ struct StationError {
     double depth_error_pct = 0.0;  ///< likewise, of z
     double position_error_mm = 0.0;
     double scatter_mm = 0.0;  ///< deviation of the readings' range; 0 with a single one
+    double spread_mm = 0.0;   ///< as spread_of() says
+    bool steady = true;       ///< the target stood still, as far as the readings tell
 };
 
 struct RangeErrors {
@@ -60,6 +77,7 @@ enum class RangeVerdict {
     good,            ///< within the bar of 1999 without any correction
     good_corrected,  ///< with the corrected baseline
     not_good,        ///< not even then
+    moved,           ///< a target that did not stand still was measured: nothing is proven
     too_few_places,  ///< not without a correction, and a found one would prove nothing
 };
 

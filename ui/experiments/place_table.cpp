@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/stereo/range_experiment.h"
 #include "ui/base/theme.h"
 
 namespace kambara::ui {
@@ -17,6 +18,7 @@ enum Column {
     known_y,
     known_z,
     count,
+    spread,
     measured_x,
     measured_y,
     measured_z,
@@ -43,7 +45,7 @@ std::optional<double> number_in(const QTableWidgetItem* item) {
 }  // namespace
 
 PlaceTable::PlaceTable(QWidget* parent) : QTableWidget(0, columns, parent) {
-    setHorizontalHeaderLabels({tr("x mm"), tr("y mm"), tr("z mm"), tr("readings"),
+    setHorizontalHeaderLabels({tr("x mm"), tr("y mm"), tr("z mm"), tr("readings"), tr("spread mm"),
                                tr("measured x mm"), tr("y mm"), tr("z mm"), tr("off mm"),
                                tr("range error %")});
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -132,17 +134,22 @@ const std::vector<Eigen::Vector3d>& PlaceTable::readings(int row) const {
 void PlaceTable::set_readings(int row, std::vector<Eigen::Vector3d> readings_in_left_mm) {
     auto& readings = readings_.at(static_cast<std::size_t>(row));
     readings = std::move(readings_in_left_mm);
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& one : readings) {
-        mean += one / static_cast<double>(readings.size());
-    }
+    const Spread told = spread_of(readings);
     set_cell(row, count,
              readings.empty() ? QString()
                               : QLocale().toString(static_cast<qulonglong>(readings.size())));
     for (int axis = 0; axis < 3; ++axis) {
         set_cell(row, measured_x + axis,
-                 readings.empty() ? QString() : QLocale().toString(mean[axis], 'f', 1));
+                 readings.empty() ? QString() : QLocale().toString(told.mean_mm[axis], 'f', 1));
     }
+    set_cell(row, spread, readings.empty() ? QString() : QLocale().toString(told.rms_mm, 'f', 1));
+    filling_ = true;
+    item(row, spread)->setForeground(told.steady ? theme::text : theme::bad);
+    item(row, spread)
+        ->setToolTip(told.steady ? tr("How far the readings lie about their mean, RMS.")
+                                 : tr("So far apart that the target has moved, or "
+                                      "another one was matched. Measure again."));
+    filling_ = false;
 }
 
 void PlaceTable::show_difference(int row, const std::optional<Difference>& difference) {

@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/base/quantities.h"
 #include "ui/base/theme.h"
@@ -21,10 +22,17 @@ QColor colour_of(RangeVerdict verdict) {
         case RangeVerdict::not_good:
             return theme::bad;
         case RangeVerdict::good_corrected:
+        case RangeVerdict::moved:
         case RangeVerdict::too_few_places:
             break;
     }
     return theme::caution;
+}
+
+qlonglong moved_places(const RangeExperiment& experiment) {
+    const auto& stations = experiment.before.stations;
+    return std::count_if(stations.begin(), stations.end(),
+                         [](const StationError& one) { return !one.steady; });
 }
 
 }  // namespace
@@ -66,6 +74,11 @@ QString RangeResult::verdict(const RangeExperiment& experiment,
                 .arg(numbers(experiment.after));
         case RangeVerdict::not_good:
             return tr("Not good, even after the correction: %1").arg(numbers(experiment.after));
+        case RangeVerdict::moved:
+            return tr("No verdict: the target moved while it was measured, at %1 of the places. "
+                      "Their spread is red in the table: let it stand still and measure there "
+                      "again.")
+                .arg(moved_places(experiment));
         case RangeVerdict::too_few_places:
             break;
     }

@@ -203,7 +203,15 @@ void RangeWindow::take_reading(const Eigen::Vector3d& point_in_left_mm) {
     table_->set_readings(row_, readings_);
     saved_ = false;
     const int next = table_->next_to_measure(row_);
+    const Spread told = spread_of(readings_);
     stop();
+    if (!told.steady) {
+        say_failure(tr("The target moved while place %1 was measured: its readings lie %2 about "
+                       "their mean. Let it stand still and measure there again.")
+                        .arg(row_ + 1)
+                        .arg(millimetres(told.rms_mm)));
+        return;
+    }
     if (next >= 0) {
         table_->setCurrentCell(next, 0);
         say(tr("Place %1 is measured. Bring the target to place %2, then measure.")
@@ -242,10 +250,8 @@ void RangeWindow::show_live(int row, const std::vector<Eigen::Vector3d>& reading
         live_->setText(tr("Place %1: waiting for the tracked target\u2026").arg(row + 1));
         return;
     }
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& one : readings) {
-        mean += one / static_cast<double>(readings.size());
-    }
+    const Spread told = spread_of(readings);
+    const Eigen::Vector3d mean = told.mean_mm;
     QString text = tr("Place %1, reading %2: ").arg(row + 1).arg(readings.size());
     if (const auto known = known_in_left_mm(row)) {
         const Eigen::Vector3d off = mean - *known;
@@ -256,7 +262,7 @@ void RangeWindow::show_live(int row, const std::vector<Eigen::Vector3d>& reading
         text += tr("x %1, y %2, z %3")
                     .arg(millimetres(mean.x()), millimetres(mean.y()), millimetres(mean.z()));
     }
-    live_->setText(text);
+    live_->setText(text + tr("; spread %1").arg(millimetres(told.rms_mm)));
 }
 
 void RangeWindow::refresh_differences() {
@@ -267,10 +273,7 @@ void RangeWindow::refresh_differences() {
             table_->show_difference(row, std::nullopt);
             continue;
         }
-        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-        for (const Eigen::Vector3d& one : readings) {
-            mean += one / static_cast<double>(readings.size());
-        }
+        const Eigen::Vector3d mean = spread_of(readings).mean_mm;
         table_->show_difference(
             row,
             PlaceTable::Difference{mean - *known, 100.0 * (mean.norm() / known->norm() - 1.0)});

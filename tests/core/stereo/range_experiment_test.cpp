@@ -75,6 +75,25 @@ TEST(RangeExperiment, ABaselineThatCannotBeIsRefused) {
     EXPECT_EQ(by_tape->verdict, RangeVerdict::not_good);
 }
 
+TEST(RangeExperiment, ATargetThatMovedProvesNothing) {
+    auto all = stations(1.0, 0.0, 1);
+    const RangeExperimentOptions options{450.0, std::nullopt, false};
+    ASSERT_EQ(judge_ranges(all, options)->verdict, RangeVerdict::good);
+    // 120 mm sideways: its range hardly changes.
+    auto& readings = all[7].readings_in_left_mm;
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        readings[i].x() += 40.0 * (static_cast<double>(i) - 1.5);
+    }
+    const auto moved = judge_ranges(all, options);
+    ASSERT_TRUE(moved);
+    EXPECT_EQ(moved->verdict, RangeVerdict::moved);
+    EXPECT_FALSE(moved->before.stations[7].steady);
+    EXPECT_NEAR(moved->before.stations[7].spread_mm, 40.0 * std::sqrt(1.25), 1e-9);
+    EXPECT_TRUE(moved->before.stations[8].steady);
+    // A steady one's noise, four times what a rig of that kind shows, is no motion.
+    EXPECT_EQ(judge_ranges(stations(1.0, 0.002, 1), options)->verdict, RangeVerdict::good);
+}
+
 TEST(RangeExperiment, AMeasuredBaselineIsTakenAsItIs) {
     const auto result = judge_ranges(stations(1.15, 0.0, 1), {517.5, 455.0, false});
     ASSERT_TRUE(result) << result.error().text();
