@@ -280,5 +280,19 @@ TEST_F(HeadInTheWindow, TheStopKeyHaltsItFromAnywhere) {
     dialog->close();
 }
 
+TEST_F(HeadInTheWindow, StaysTakenByHandWhenAnotherSourceIsOpened) {
+    ASSERT_TRUE(page_.until([&] { return page_.action("home").isEnabled(); }));
+    EXPECT_TRUE(page_.until([&] { return page_.text("headAngles").contains("will be steered"); }))
+        << page_.text("headAngles").toStdString();
+    page_.action("steer").trigger();
+    ASSERT_TRUE(page_.until([&] { return !page_.shown().head->automatic; }));
+    page_.action("simulatedRig").trigger();
+    ASSERT_TRUE(page_.until([&] { return page_.left().shown() == nullptr; }));
+    ASSERT_TRUE(page_.until_picture());
+    ASSERT_TRUE(page_.until([&] { return page_.shown().frame > 10; }));
+    EXPECT_FALSE(page_.shown().head->automatic);
+    EXPECT_FALSE(page_.action("steer").isChecked());
+}
+
 }  // namespace
 }  // namespace kambara

@@ -24,6 +24,11 @@ namespace {
 constexpr int first_speed_percent = 30;
 constexpr int most_map_height_px = 130;
 
+bool is_followed(const Snapshot& snapshot) {
+    const TrackState state = steered_estimate(snapshot).state;
+    return state != TrackState::idle && state != TrackState::template_set;
+}
+
 }  // namespace
 
 PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, HandDrive* drive, QWidget* parent)
@@ -143,9 +148,10 @@ void PanTiltPanel::show_snapshot(const SnapshotPtr& snapshot) {
     const bool faulty = !head->fault.empty();
     angles_->setText(tr("pan %1   tilt %2   %3")
                          .arg(degrees(head->angles.pan_rad), degrees(head->angles.tilt_rad),
-                              faulty            ? tr("as it last said")
-                              : head->automatic ? tr("steered to the target")
-                                                : tr("by hand")));
+                              faulty                   ? tr("as it last said")
+                              : !head->automatic       ? tr("by hand")
+                              : is_followed(*snapshot) ? tr("steered to the target")
+                                                       : tr("will be steered to a target")));
     if (faulty) {
         note_->setText(translated(head->fault));
         note_->setStyleSheet(QStringLiteral("color: %1").arg(theme::bad.name()));

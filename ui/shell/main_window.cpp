@@ -184,6 +184,9 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
     opened_ = request;
     rig_ = rig;
     recording_ = !is_simulation(request);
+    if (newest_ && newest_->head) {
+        by_hand_ = !newest_->head->automatic;
+    }
     newest_.reset();
     drive_->drop_all();
     for (VideoView* view : {left_, right_, pan_tilt_}) {
@@ -211,6 +214,10 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
 }
 
 void MainWindow::show_snapshot(const SnapshotPtr& snapshot) {
+    // A system that was just opened steers; a head that was taken by hand stays so.
+    if (newest_ == nullptr && by_hand_ && snapshot->head) {
+        link_->send(SteerHead{false});
+    }
     const bool first = newest_ == nullptr || newest_->run != snapshot->run;
     newest_ = snapshot;
     left_->show_snapshot(snapshot);
