@@ -140,6 +140,32 @@ TEST(RangeExperimentInTheWindow, TypedPlacesAreNotLostUnasked) {
     EXPECT_FALSE(page.window().isVisible());
 }
 
+TEST(RangeExperimentInTheWindow, EscapeInAFormStopsNothingAndCtrlWClosesIt) {
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    page.drag(page.target());
+    ASSERT_TRUE(page.until_state(TrackState::tracking));
+    FormPage form(page, "rangeExperiment", "rangeWindow");
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&form.window()));
+    form.press("addPlace");
+    for (int i = 0; i < 2; ++i) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    }
+    const std::int64_t frame = page.shown().frame;
+    ASSERT_TRUE(page.until([&] { return page.shown().frame > frame + 5; }));
+    EXPECT_EQ(steered_estimate(page.shown()).state, TrackState::tracking);
+    EXPECT_TRUE(page.shown().head->automatic);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F12);
+    EXPECT_TRUE(page.until([&] { return !page.shown().head->automatic; })) << "from anywhere";
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_W, Qt::ControlModifier);
+    EXPECT_FALSE(form.window().isVisible());
+    EXPECT_TRUE(page.window().isVisible());
+    page.action("rangeExperiment").trigger();
+    EXPECT_TRUE(form.window().isVisible());
+    form.press("closeForm");
+    EXPECT_FALSE(form.window().isVisible());
+}
+
 // Tells the form where the target is, pair by pair.
 void feed(ui::RangeWindow& window, std::int64_t frame, const Eigen::Vector3d& at_mm) {
     Snapshot snapshot;

@@ -2,6 +2,7 @@
 #include "ui/experiments/assistant_window.h"
 
 #include <QCloseEvent>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -20,12 +21,22 @@ QLabel* sentence_label(const QString& object_name, QWidget* parent) {
 }
 
 AssistantWindow::AssistantWindow(const QString& object_name, const QString& title, QWidget* parent)
-    : QWidget(parent, Qt::Window), said_(sentence_label(QStringLiteral("said"), this)) {
+    : QWidget(parent, Qt::Window),
+      foot_(new QWidget(this)),
+      said_(sentence_label(QStringLiteral("said"), foot_)) {
     setObjectName(object_name);
     setWindowTitle(title);
     // Kept free, so that nothing jumps when a sentence comes or goes.
     said_->setMinimumHeight(2 * said_->fontMetrics().lineSpacing());
     said_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    auto* close_button = new QPushButton(tr("Close"), foot_);
+    close_button->setObjectName(QStringLiteral("closeForm"));
+    close_button->setToolTip(tr("Closes this form; the target is followed on.  [Ctrl+W]"));
+    connect(close_button, &QPushButton::clicked, this, &QWidget::close);
+    auto* row = new QHBoxLayout(foot_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(said_, 1);
+    row->addWidget(close_button, 0, Qt::AlignBottom);
 }
 
 void AssistantWindow::say(const QString& text, const QColor& colour) {

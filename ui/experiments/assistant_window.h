@@ -37,8 +37,8 @@ class AssistantWindow : public QWidget {
   protected:
     /// Likewise, for another way of losing it, which the button names.
     bool may_drop(const QString& button);
-    /// Where the form says what happened; every form has one at its foot.
-    QLabel* said() { return said_; }
+    /// Where the form says what happened, and its Close button: every form ends with it.
+    QWidget* foot() { return foot_; }
     void say(const QString& text);
     void say_done(const QString& text);
     void say_failure(const QString& text);
@@ -50,6 +50,7 @@ class AssistantWindow : public QWidget {
   private:
     void say(const QString& text, const QColor& colour);
 
+    QWidget* foot_;
     QLabel* said_;
     bool asked_ = false;
 };

@@ -128,7 +128,7 @@ void LevellingWindow::build() {
     save_->set_file(QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
                         .filePath(QStringLiteral("rig_levelled.yaml")));
     all->addWidget(save_);
-    all->addWidget(said());
+    all->addWidget(foot());
     connect(way_, qOverload<int>(&QComboBox::currentIndexChanged), this, &LevellingWindow::changed);
     connect(roll_deg_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             &LevellingWindow::changed);

@@ -30,7 +30,7 @@ void RangeWindow::build() {
     tabs_->setTabEnabled(1, false);
     tabs_->setTabToolTip(1, tr("Measure the places and judge them first."));
     all->addWidget(tabs_, 1);
-    all->addWidget(said());
+    all->addWidget(foot());
 }
 
 QWidget* RangeWindow::places_page() {

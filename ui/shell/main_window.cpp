@@ -104,6 +104,12 @@ void MainWindow::connect_actions() {
     };
     on(actions_->open_recording, [this] { open_recording_dialog(opened_recording()); });
     on(actions_->simulated_rig, [this] { open(options_.simulation); });
+    on(actions_->close_form, [this] {
+        QWidget* front = QApplication::activeWindow();
+        if (front != nullptr && front != this && front->windowType() == Qt::Window) {
+            front->close();
+        }
+    });
     on(actions_->quit, [this] { close(); });
     on(actions_->play, [this] {
         const bool running = newest_ && newest_->run == RunState::running;

@@ -21,6 +21,7 @@ class WindowActions : public QObject {
 
     QAction* open_recording;
     QAction* simulated_rig;
+    QAction* close_form;
     QAction* quit;
     QAction* play;
     QAction* step;
