@@ -300,10 +300,11 @@ void LevellingWindow::show_found(const Found& found) {
 }
 
 QString LevellingWindow::unsaved() const {
-    if (points_in_left_mm_.empty() || saved_) {
-        return {};
+    if (recording_) {
+        return tr("The recording that is under way would be lost.");
     }
-    return tr("The recorded movement and the angle found from it have not been saved.");
+    // A movement without an angle can't be saved: there is nothing to lose but a try.
+    return levelling_ && !saved_ ? tr("The angle that was found has not been saved.") : QString();
 }
 
 void LevellingWindow::save(const QString& file) {
