@@ -99,6 +99,8 @@ const char* const phrases[] = {
     QT_TRANSLATE_NOOP("core", "The head has no presets."),
     QT_TRANSLATE_NOOP("core", "Use another head."),
     QT_TRANSLATE_NOOP("core", "There is no preset %1."),
+    QT_TRANSLATE_NOOP("core", "Nothing was kept in preset %1."),
+    QT_TRANSLATE_NOOP("core", "Keep a position in it first."),
     QT_TRANSLATE_NOOP("core", "Give a number from %1 to %2."),
     QT_TRANSLATE_NOOP("core", "Nothing is seen at that place of the pan-tilt picture."),
     QT_TRANSLATE_NOOP("core", "Choose one nearer to its middle."),
