@@ -166,6 +166,24 @@ TEST(RangeExperimentInTheWindow, EscapeInAFormStopsNothingAndCtrlWClosesIt) {
     EXPECT_FALSE(form.window().isVisible());
 }
 
+TEST(RangeExperimentInTheWindow, ATargetIsNotForgottenForTheSimulationUnasked) {
+    WindowPage page(WindowPage::simulated(false));
+    ASSERT_TRUE(page.until_picture());
+    page.drag(page.target());
+    ASSERT_TRUE(page.until_state(TrackState::tracking));
+    FormPage form(page, "rangeExperiment", "rangeWindow");
+    FormPage::answer("replaceQuestion", "Keep it");
+    form.press("simulateStations");
+    EXPECT_FALSE(form.part<QAbstractButton>("simulateStations").isChecked());
+    EXPECT_TRUE(form.can_press("addPlace")) << "nothing was begun";
+    const std::int64_t frame = page.shown().frame;
+    ASSERT_TRUE(page.until([&] { return page.shown().frame > frame + 5; }));
+    EXPECT_EQ(steered_estimate(page.shown()).state, TrackState::tracking);
+    FormPage::answer("replaceQuestion", "Open the simulated rig");
+    form.press("simulateStations");
+    EXPECT_TRUE(page.until([&] { return page.shown().tracks.empty(); }));
+}
+
 // Tells the form where the target is, pair by pair.
 void feed(ui::RangeWindow& window, std::int64_t frame, const Eigen::Vector3d& at_mm) {
     Snapshot snapshot;

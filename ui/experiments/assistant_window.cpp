@@ -73,14 +73,25 @@ bool AssistantWindow::may_drop(const QString& button) {
     if (lost.isEmpty()) {
         return true;
     }
-    QMessageBox box(QMessageBox::Warning, windowTitle(), lost, QMessageBox::NoButton, this);
-    box.setObjectName(QStringLiteral("unsavedQuestion"));
+    return ask("unsavedQuestion", lost, button);
+}
+
+bool AssistantWindow::may_replace_source() {
+    return ask("replaceQuestion",
+               tr("The simulated rig is opened anew for this. What runs now ends, and its targets "
+                  "are forgotten."),
+               tr("Open the simulated rig"));
+}
+
+bool AssistantWindow::ask(const char* object_name, const QString& text, const QString& button) {
+    QMessageBox box(QMessageBox::Warning, windowTitle(), text, QMessageBox::NoButton, this);
+    box.setObjectName(QLatin1String(object_name));
     QPushButton* stay = box.addButton(tr("Keep it"), QMessageBox::RejectRole);
-    QPushButton* drop = box.addButton(button, QMessageBox::DestructiveRole);
+    QPushButton* go_on = box.addButton(button, QMessageBox::DestructiveRole);
     box.setDefaultButton(stay);
     box.setEscapeButton(stay);
     box.exec();
-    return box.clickedButton() == drop;
+    return box.clickedButton() == go_on;
 }
 
 void AssistantWindow::close_unasked() {

@@ -37,6 +37,8 @@ class AssistantWindow : public QWidget {
   protected:
     /// Likewise, for another way of losing it, which the button names.
     bool may_drop(const QString& button);
+    /// Asks before another source takes the running one's place; true where it may.
+    bool may_replace_source();
     /// Where the form says what happened, and its Close button: every form ends with it.
     QWidget* foot() { return foot_; }
     void say(const QString& text);
@@ -48,6 +50,7 @@ class AssistantWindow : public QWidget {
     virtual void leave() {}
 
   private:
+    bool ask(const char* object_name, const QString& text, const QString& button);
     void say(const QString& text, const QColor& colour);
 
     QWidget* foot_;

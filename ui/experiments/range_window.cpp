@@ -69,6 +69,11 @@ void RangeWindow::connect_all() {
             [this](const QString& file) { save(file, true); });
 }
 
+void RangeWindow::set_stations(const SimulatedStations& stations, bool simulated) {
+    stations_ = stations;
+    simulated_ = simulated;
+}
+
 void RangeWindow::set_source(const Rig& rig) {
     const bool waited = doing_ == Doing::waiting && stations_;
     if (doing_ != Doing::nothing && !waited) {
@@ -77,6 +82,7 @@ void RangeWindow::set_source(const Rig& rig) {
     }
     rig_ = rig;
     last_frame_ = -1;
+    has_targets_ = false;
     chosen_px_.reset();
     if (waited) {
         doing_ = Doing::running;
@@ -139,7 +145,11 @@ void RangeWindow::measure(bool on) {
 }
 
 void RangeWindow::simulate(bool on) {
-    if (!on || !may_drop(tr("Begin without saving"))) {
+    const auto may_begin = [this] {
+        return may_drop(tr("Begin without saving")) &&
+               ((simulated_ && !has_targets_) || may_replace_source());
+    };
+    if (!on || !may_begin()) {
         const bool was_running = doing_ == Doing::running;
         stop();
         if (was_running && table_->measured() > 0) {
@@ -179,6 +189,7 @@ void RangeWindow::show_snapshot(const SnapshotPtr& snapshot) {
         return;
     }
     last_frame_ = snapshot->frame;
+    has_targets_ = !snapshot->tracks.empty();
     if (doing_ == Doing::running && !chosen_px_ && snapshot->pictures.stereo.left.picture) {
         begin_run(*snapshot);
         return;

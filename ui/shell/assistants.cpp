@@ -33,7 +33,7 @@ void Assistants::show_levelling() {
 void Assistants::show_range_experiment() {
     if (range_ == nullptr) {
         range_ = new RangeWindow(ports_, main_window_);
-        range_->set_stations(stations_);
+        range_->set_stations(stations_, simulated_);
         connect(range_, &RangeWindow::stations_asked, this,
                 [this] { emit simulation_asked(QStringLiteral("sim:stations")); });
     }
@@ -61,7 +61,7 @@ void Assistants::set_source(const Rig& rig, const SimulatedStations& stations,
         head_->set_hand(hand, simulated);
     }
     if (range_ != nullptr) {
-        range_->set_stations(stations);
+        range_->set_stations(stations, simulated);
     }
     for (AssistantWindow* window : windows_) {
         window->set_source(rig);
