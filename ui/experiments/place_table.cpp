@@ -42,6 +42,10 @@ std::optional<double> number_in(const QTableWidgetItem* item) {
     return is_number && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+bool fine_in(const QTableWidgetItem* item) {
+    return item->text().trimmed().isEmpty() || number_in(item);
+}
+
 }  // namespace
 
 PlaceTable::PlaceTable(QWidget* parent) : QTableWidget(0, columns, parent) {
@@ -59,14 +63,19 @@ PlaceTable::PlaceTable(QWidget* parent) : QTableWidget(0, columns, parent) {
             item->setData(typed_role, true);
             filling_ = false;
             mark(item);
+            emit typed(fine_in(item) ? QString() : item->text().trimmed());
             emit known_changed();
         }
     });
 }
 
 void PlaceTable::mark(QTableWidgetItem* item) {
-    const bool fine = item->text().trimmed().isEmpty() || number_in(item);
+    const bool fine = fine_in(item);
     filling_ = true;
+    // Struck out as well: where the cell is chosen its colour can't be seen.
+    QFont letters = font();
+    letters.setStrikeOut(!fine);
+    item->setFont(letters);
     item->setForeground(fine ? theme::text : theme::bad);
     item->setToolTip(fine ? QString() : tr("This is no number. Write a length in mm."));
     filling_ = false;

@@ -37,6 +37,8 @@ class PlaceTable : public QTableWidget {
 
   signals:
     void known_changed();
+    /// Into a coordinate; `wrong` where that is no number, else empty.
+    void typed(const QString& wrong);
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -57,6 +57,11 @@ void RangeWindow::connect_all() {
     connect(simulate_, &QPushButton::clicked, this, &RangeWindow::simulate);
     connect(judge_, &QPushButton::clicked, this, &RangeWindow::judge);
     connect(table_, &PlaceTable::known_changed, this, &RangeWindow::changed);
+    connect(table_, &PlaceTable::typed, this, [this](const QString& wrong) {
+        wrong.isEmpty()
+            ? say({})
+            : say_failure(tr("\u201C%1\u201D is no number. Write a length in mm.").arg(wrong));
+    });
     connect(table_, &QTableWidget::currentCellChanged, this, &RangeWindow::changed);
     connect(frame_, qOverload<int>(&QComboBox::currentIndexChanged), this, &RangeWindow::changed);
     connect(by_tape_, &QCheckBox::toggled, true_baseline_mm_, &QWidget::setEnabled);

@@ -57,6 +57,9 @@ QWidget* RangeWindow::places_page() {
     count_->setObjectName(QStringLiteral("readingsCount"));
     count_->setRange(1, 1000);
     count_->setValue(30);
+    count_->setToolTip(
+        tr("Positions that are averaged where you measure. The simulated experiment stays at each "
+           "place for a second and takes what comes."));
     labelled(tr("Readings a &place"), count_);
     by_tape_ = new QCheckBox(tr("&Baseline by tape:"), page);
     by_tape_->setObjectName(QStringLiteral("rangeByTape"));
