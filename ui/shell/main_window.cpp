@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QUrl>
@@ -23,6 +24,7 @@
 #include "ui/shell/about_dialog.h"
 #include "ui/shell/assistants.h"
 #include "ui/shell/event_log.h"
+#include "ui/shell/keys_dialog.h"
 #include "ui/shell/open_recording_dialog.h"
 #include "ui/shell/playback_bar.h"
 #include "ui/shell/recent_recordings.h"
@@ -133,6 +135,7 @@ void MainWindow::connect_actions() {
     on(actions_->stretch_map, [this](bool on_now) { map_->set_stretched(on_now); });
     on(actions_->default_layout, [this] { lay_out(); });
     on(actions_->calibrate, [this] { show_calibration(); });
+    on(actions_->keys, [this] { show_keys(*menuBar(), this); });
     on(actions_->about, [this] { show_about(this); });
     connect(left_, &VideoView::selected, this, &MainWindow::select);
     connect(left_, &VideoView::target_pointed_at, this,

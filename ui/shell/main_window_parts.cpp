@@ -197,7 +197,7 @@ void MainWindow::build_menus() {
     }
     view->addSeparator();
     view->addAction(actions_->default_layout);
-    add(tr("H&elp"), {actions_->about});
+    add(tr("H&elp"), {actions_->keys, actions_->about});
 }
 
 }  // namespace kambara::ui

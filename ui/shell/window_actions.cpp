@@ -72,6 +72,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
     stretch_map->setCheckable(true);
     default_layout = make(tr("&Restore default layout"), QString(),
                           tr("Puts all parts of the window back in their places"), "defaultLayout");
+    keys = make(tr("&Keys"), QStringLiteral("F1"), tr("Shows every key and what it does"), "keys");
     about = make(tr("&About Kambara"), QString(), tr("Versions and licences"), "about");
     update(nullptr, false);
 }

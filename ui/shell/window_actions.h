@@ -42,6 +42,7 @@ class WindowActions : public QObject {
     QAction* calibrate_head;
     QAction* stretch_map;
     QAction* default_layout;
+    QAction* keys;
     QAction* about;
 
   private:
