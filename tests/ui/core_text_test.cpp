@@ -42,6 +42,7 @@ TEST(CoreText, TranslatesPhrasesAndKeepsTheirNumbers) {
               "[No file fits the pattern /a/%06d.png.] [Check the name.]");
     EXPECT_EQ(name_of(TrackState::lost), "[Lost]");
     EXPECT_EQ(name_of(TrackState::template_set), "[Template set]");
+    EXPECT_EQ(translated(std::string("Idle -> TemplateSet")), "[[Idle] -> [Template set]]");
     QCoreApplication::removeTranslator(&brackets);
     EXPECT_EQ(translated(std::string("given up: not found in the right picture")),
               "given up: not found in the right picture");

@@ -126,9 +126,10 @@ void RangeResult::show_experiment(const RangeExperiment& experiment, double base
     } else if (experiment.before.stations.size() == 1) {
         text += tr("The corrected baseline rests on one place alone.");
     } else {
-        text += tr("The corrected baseline is the one that suits these places best, \u00B1 %1: "
-                   "what is left after it says nothing of scale.")
-                    .arg(millimetres(experiment.corrected_baseline_sigma_mm, 3));
+        text +=
+            tr("The corrected baseline is the one that suits these places best, \u00B1\u00A0%1: "
+               "what is left after it says nothing of scale.")
+                .arg(millimetres(experiment.corrected_baseline_sigma_mm, 3));
     }
     sentence_->setText(text);
     delete plots_;

@@ -290,6 +290,7 @@ void MainWindow::open_recording_dialog(const SourceRequest& request, const QStri
     dialog->set_request(request);
     dialog->show_failure(failure);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { open(dialog->request()); });
+    connect(dialog, &QDialog::finished, notice_, &QWidget::hide);  // it was about what was tried
     dialog->open();
 }
 
