@@ -132,7 +132,8 @@ TEST(RangeExperimentInTheWindow, TypedPlacesAreNotLostUnasked) {
     }
     type("abc");
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Enter);
-    EXPECT_TRUE(form.said().contains("abc")) << form.said().toStdString();
+    EXPECT_TRUE(WindowPage::until([&] { return form.said().contains("abc"); }, 5))
+        << form.said().toStdString();
     EXPECT_FALSE(form.can_press("measurePlace"));
     form.take("range_no_number");
     // The third is still in its field, not in the table, when the program is left.

@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -16,7 +15,6 @@
 #include "ui/experiments/background.h"
 #include "ui/experiments/place_table.h"
 #include "ui/experiments/range_result.h"
-#include "ui/experiments/save_row.h"
 #include "ui/experiments/target_line.h"
 
 namespace kambara::ui {
@@ -32,47 +30,6 @@ RangeWindow::RangeWindow(const ExperimentPorts& ports, QWidget* parent)
 }
 
 RangeWindow::~RangeWindow() = default;
-
-void RangeWindow::connect_all() {
-    connect(load_, &QPushButton::clicked, this, [this] {
-        const QString file = QFileDialog::getOpenFileName(this, tr("Known places"), {},
-                                                          tr("Tables (*.csv);;All files (*)"));
-        if (!file.isEmpty()) {
-            load(file);
-        }
-    });
-    connect(add_, &QPushButton::clicked, this, [this] {
-        table_->setCurrentCell(table_->add_place(), 0);
-        table_->setFocus();
-    });
-    connect(remove_, &QPushButton::clicked, table_, &PlaceTable::remove_chosen);
-    connect(clear_, &QPushButton::clicked, this, [this] {
-        if (may_drop(tr("Clear without saving"))) {
-            table_->remove_all();
-            row_of_station_.clear();
-            saved_ = true;
-        }
-    });
-    connect(measure_, &QPushButton::clicked, this, &RangeWindow::measure);
-    connect(simulate_, &QPushButton::clicked, this, &RangeWindow::simulate);
-    connect(judge_, &QPushButton::clicked, this, &RangeWindow::judge);
-    connect(table_, &PlaceTable::known_changed, this, &RangeWindow::changed);
-    connect(table_, &PlaceTable::typed, this, [this](const QString& wrong) {
-        wrong.isEmpty()
-            ? say({})
-            : say_failure(tr("\u201C%1\u201D is no number. Write a length in mm.").arg(wrong));
-    });
-    connect(table_, &QTableWidget::currentCellChanged, this, &RangeWindow::changed);
-    connect(frame_, qOverload<int>(&QComboBox::currentIndexChanged), this, &RangeWindow::changed);
-    connect(by_tape_, &QCheckBox::toggled, true_baseline_mm_, &QWidget::setEnabled);
-    for (SaveRow* row : {save_table_, save_page_}) {
-        connect(row, &SaveRow::failed, this, [this](const QString& text) { say_failure(text); });
-    }
-    connect(save_table_, &SaveRow::save_asked, this,
-            [this](const QString& file) { save(file, false); });
-    connect(save_page_, &SaveRow::save_asked, this,
-            [this](const QString& file) { save(file, true); });
-}
 
 void RangeWindow::set_stations(const SimulatedStations& stations, bool simulated) {
     stations_ = stations;

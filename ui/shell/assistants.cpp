@@ -16,6 +16,9 @@ void Assistants::show(AssistantWindow* window) {
         window->set_source(rig_);
         connect(window, &AssistantWindow::command_asked, this, &Assistants::command_asked);
     }
+    if (newest_ != nullptr) {
+        window->show_snapshot(newest_);
+    }
     window->show();
     window->raise();
     window->activateWindow();
@@ -57,6 +60,7 @@ void Assistants::set_source(const Rig& rig, const SimulatedStations& stations,
     stations_ = stations;
     hand_ = hand;
     simulated_ = simulated;
+    newest_.reset();
     if (head_ != nullptr) {
         head_->set_hand(hand, simulated);
     }
@@ -69,6 +73,7 @@ void Assistants::set_source(const Rig& rig, const SimulatedStations& stations,
 }
 
 void Assistants::show_snapshot(const SnapshotPtr& snapshot) {
+    newest_ = snapshot;
     for (AssistantWindow* window : windows_) {
         if (window->isVisible()) {
             window->show_snapshot(snapshot);

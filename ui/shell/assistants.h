@@ -54,6 +54,7 @@ class Assistants : public QObject {
     LevellingWindow* levelling_ = nullptr;
     RangeWindow* range_ = nullptr;
     HeadWindow* head_ = nullptr;
+    SnapshotPtr newest_;  // of the source that is open
     Rig rig_;
     SimulatedStations stations_;
     TargetHand hand_;
