@@ -2391,7 +2391,7 @@ Umschalt: drehen, Rad: näher</translation>
     </message>
     <message>
         <source>as it last said</source>
-        <translation>wie zuletzt gemeldet</translation>
+        <translation>zuletzt gemeldet</translation>
     </message>
     <message>
         <source>waits for a target</source>

@@ -57,6 +57,7 @@ PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, HandDrive* drive, QWi
     scrolled_->setFrameShape(QFrame::NoFrame);
     scrolled_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scrolled_->setFocusPolicy(Qt::NoFocus);
+    scrolled_->setMinimumHeight(1);  // else low screens would have no room for the window
     auto* column = new QVBoxLayout(controls_);
     column->setSpacing(4);
     column->setContentsMargins(0, 0, 4, 4);
@@ -138,7 +139,7 @@ QString PanTiltPanel::told(const ServoSnapshot& servo) {
 }
 
 QSize PanTiltPanel::sizeHint() const {
-    const QSize around = layout()->minimumSize() - scrolled_->minimumSizeHint();
+    const QSize around = layout()->minimumSize() - QSize(0, scrolled_->minimumHeight());
     return {std::max(around.width(), controls_->sizeHint().width()),
             around.height() + controls_->sizeHint().height()};
 }
