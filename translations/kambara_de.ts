@@ -1163,6 +1163,22 @@
         <source>Give at least %1.</source>
         <translation>Geben Sie mindestens %1 an.</translation>
     </message>
+    <message>
+        <source>Nothing was kept in preset %1.</source>
+        <translation>Unter Nummer %1 ist nichts gemerkt.</translation>
+    </message>
+    <message>
+        <source>Keep a position in it first.</source>
+        <translation>Merken Sie erst eine Stellung darin.</translation>
+    </message>
+    <message>
+        <source>The baseline that suits the known places best is %1 mm, the rig&apos;s is %2 mm, and the range error is %3 % in the mean: that is no wrong baseline.</source>
+        <translation>Die Basislänge, die am besten zu den bekannten Orten passt, ist %1 mm, die der Anlage %2 mm, und der Entfernungsfehler beträgt im Mittel %3 %: Das ist keine falsche Basislänge.</translation>
+    </message>
+    <message>
+        <source>Check the known places, their frame and their unit, and that the target that was followed stood there; or give the baseline measured by tape.</source>
+        <translation>Prüfen Sie die bekannten Orte, ihr Koordinatensystem und ihre Einheit, und ob das verfolgte Ziel dort stand; oder geben Sie die mit dem Bandmaß gemessene Basislänge an.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -1259,6 +1275,22 @@
     <message>
         <source>Keep it</source>
         <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closes this form; the target is followed on.  [Ctrl+W]</source>
+        <translation>Schließt dieses Formular; das Ziel wird weiter verfolgt.  [Strg+W]</translation>
+    </message>
+    <message>
+        <source>The simulated rig is opened anew for this. What runs now ends, and its targets are forgotten.</source>
+        <translation>Dafür wird die simulierte Anlage neu geöffnet. Was jetzt läuft, endet, und seine Ziele werden vergessen.</translation>
+    </message>
+    <message>
+        <source>Open the simulated rig</source>
+        <translation>Simulierte Anlage öffnen</translation>
     </message>
 </context>
 <context>
@@ -1823,6 +1855,13 @@ Umschalt: drehen, Rad: näher</translation>
     </message>
 </context>
 <context>
+    <name>kambara::ui::Keys</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
     <name>kambara::ui::LensControls</name>
     <message>
         <source>Zoom out</source>
@@ -2076,16 +2115,20 @@ Umschalt: drehen, Rad: näher</translation>
         <translation>Es gibt noch keinen Winkel zu speichern.</translation>
     </message>
     <message>
-        <source>The recorded movement and the angle found from it have not been saved.</source>
-        <translation>Die aufgezeichnete Bewegung und der daraus gefundene Winkel sind nicht gespeichert.</translation>
-    </message>
-    <message>
         <source>Saved: %1. The Target panel can tell positions in the levelled rig&apos;s and the vehicle&apos;s frame now.</source>
         <translation>Gespeichert: %1. Das Feld „Ziel“ kann Positionen jetzt im Koordinatensystem der ausgerichteten Anlage und des Fahrzeugs angeben.</translation>
     </message>
     <message>
         <source>Saved: %1</source>
         <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>The recording that is under way would be lost.</source>
+        <translation>Die laufende Aufzeichnung ginge verloren.</translation>
+    </message>
+    <message>
+        <source>The angle that was found has not been saved.</source>
+        <translation>Der gefundene Winkel ist nicht gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -2346,6 +2389,14 @@ Umschalt: drehen, Rad: näher</translation>
         <source>Not seen for sure in the pan-tilt picture.</source>
         <translation>Im Bild der Schwenkkamera nicht sicher zu sehen.</translation>
     </message>
+    <message>
+        <source>as it last said</source>
+        <translation>zuletzt gemeldet</translation>
+    </message>
+    <message>
+        <source>waits for a target</source>
+        <translation>wartet auf ein Ziel</translation>
+    </message>
 </context>
 <context>
     <name>kambara::ui::PlaceTable</name>
@@ -2384,6 +2435,18 @@ Umschalt: drehen, Rad: näher</translation>
     <message>
         <source>This is no number. Write a length in mm.</source>
         <translation>Das ist keine Zahl. Schreiben Sie eine Länge in mm.</translation>
+    </message>
+    <message>
+        <source>spread mm</source>
+        <translation>Streuung mm</translation>
+    </message>
+    <message>
+        <source>How far the readings lie about their mean, RMS.</source>
+        <translation>Wie weit die Messungen um ihr Mittel liegen, RMS.</translation>
+    </message>
+    <message>
+        <source>So far apart that the target has moved, or another one was matched. Measure again.</source>
+        <translation>So weit auseinander, dass sich das Ziel bewegt hat oder ein anderes gefunden wurde. Messen Sie noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -2557,12 +2620,24 @@ Umschalt: drehen, Rad: näher</translation>
         <translation>Orte: %1. Gut ist, was 1999 mit korrigierter Basislänge erreicht wurde: %2 im Mittel, höchstens %3.</translation>
     </message>
     <message>
-        <source>The corrected baseline is the one that suits these places best, ± %1: what is left after it says nothing of scale.</source>
-        <translation>Die korrigierte Basislänge ist die, die am besten zu diesen Orten passt, ± %1: Was danach bleibt, sagt nichts über den Maßstab.</translation>
+        <source>No verdict: the target moved while it was measured, at %1 of the places. Their spread is red in the table: let it stand still and measure there again.</source>
+        <translation>Kein Urteil: Das Ziel hat sich beim Messen bewegt, Zahl der Orte: %1. Ihre Streuung ist in der Tabelle rot: Lassen Sie es still stehen und messen Sie dort noch einmal.</translation>
     </message>
     <message>
-        <source>The corrected baseline was measured by other means, or rests on one place alone.</source>
-        <translation>Die korrigierte Basislänge wurde anders gemessen oder beruht auf einem einzigen Ort.</translation>
+        <source>Not good without a correction: %1. A baseline that is fitted to fewer than %2 places proves nothing: measure more, or give the baseline by tape.</source>
+        <translation>Ohne Korrektur nicht gut: %1. Eine Basislänge, die an weniger als %2 Orte angepasst ist, beweist nichts: Messen Sie mehr, oder geben Sie die Basislänge nach Bandmaß an.</translation>
+    </message>
+    <message>
+        <source>The corrected baseline was measured by other means.</source>
+        <translation>Die korrigierte Basislänge wurde auf andere Weise gemessen.</translation>
+    </message>
+    <message>
+        <source>The corrected baseline rests on one place alone.</source>
+        <translation>Die korrigierte Basislänge beruht auf einem einzigen Ort.</translation>
+    </message>
+    <message>
+        <source>The corrected baseline is the one that suits these places best, ±&#xa0;%1: what is left after it says nothing of scale.</source>
+        <translation>Die korrigierte Basislänge ist die, die am besten zu diesen Orten passt, ±&#xa0;%1: Was danach übrig ist, sagt nichts über den Maßstab.</translation>
     </message>
 </context>
 <context>
@@ -2783,6 +2858,26 @@ Dann bringen Sie das verfolgte Ziel an jeden Ort und messen. Der simulierte Vers
         <source>Reports (*.html)</source>
         <translation>Berichte (*.html)</translation>
     </message>
+    <message>
+        <source>“%1” is no number. Write a length in mm.</source>
+        <translation>„%1“ ist keine Zahl. Schreiben Sie eine Länge in mm.</translation>
+    </message>
+    <message>
+        <source>The target moved while place %1 was measured: its readings lie %2 about their mean. Let it stand still and measure there again.</source>
+        <translation>Das Ziel hat sich beim Messen von Ort %1 bewegt: Die Messungen liegen %2 um ihr Mittel. Lassen Sie es still stehen und messen Sie dort noch einmal.</translation>
+    </message>
+    <message>
+        <source>; spread %1</source>
+        <translation>; Streuung %1</translation>
+    </message>
+    <message>
+        <source>Places that were typed and not measured yet would be lost: %1.</source>
+        <translation>Eingetippte, noch nicht gemessene Orte gingen verloren: %1.</translation>
+    </message>
+    <message>
+        <source>Positions that are averaged where you measure. The simulated experiment stays at each place for a second and takes what comes.</source>
+        <translation>So viele Positionen werden gemittelt, wo Sie messen. Der simulierte Versuch bleibt an jedem Ort eine Sekunde und nimmt, was kommt.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::ui::ResidualPlot</name>
@@ -2795,7 +2890,7 @@ Dann bringen Sie das verfolgte Ziel an jeden Ort und messen. Der simulierte Vers
     <name>kambara::ui::ResultPage</name>
     <message>
         <source>Choose…</source>
-        <translation>Wählen …</translation>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>Rig file</source>
@@ -2890,7 +2985,7 @@ Dann bringen Sie das verfolgte Ziel an jeden Ort und messen. Der simulierte Vers
     <name>kambara::ui::SaveRow</name>
     <message>
         <source>Choose…</source>
-        <translation>Wählen …</translation>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>The file has no name. Write one, or choose a place.</source>
@@ -2973,7 +3068,7 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     </message>
     <message>
         <source>Save…</source>
-        <translation>Sichern…</translation>
+        <translation>Speichern…</translation>
     </message>
     <message>
         <source>Writes the 3-D view as a PNG file</source>
@@ -3048,7 +3143,7 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     </message>
     <message>
         <source>Choose…</source>
-        <translation>Wählen …</translation>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>&amp;Folder</source>
@@ -3166,10 +3261,6 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
         <translation>Bildpaare, die bei belegter Verarbeitung oder ohne Partner kamen</translation>
     </message>
     <message>
-        <source>%1 lost</source>
-        <translation>%1 verloren</translation>
-    </message>
-    <message>
         <source>air</source>
         <translation>Luft</translation>
     </message>
@@ -3192,6 +3283,10 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>%1: does not answer, let the sticks go</source>
         <translation>%1: antwortet nicht, Sticks loslassen</translation>
+    </message>
+    <message>
+        <source>%1 pairs lost</source>
+        <translation>%1 Paare verloren</translation>
     </message>
 </context>
 <context>
@@ -3600,6 +3695,22 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>There is no pan-tilt picture.</source>
         <translation>Es gibt kein Bild der Schwenkkamera.</translation>
+    </message>
+    <message>
+        <source>Close &amp;form</source>
+        <translation>&amp;Formular schließen</translation>
+    </message>
+    <message>
+        <source>Closes the form or the calibration that is in front</source>
+        <translation>Schließt das Formular oder die Kalibrierung, die vorn ist</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Shows every key and what it does</source>
+        <translation>Zeigt jede Taste und was sie tut</translation>
     </message>
 </context>
 </TS>

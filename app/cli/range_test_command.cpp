@@ -312,8 +312,10 @@ Outcome run_range_test(const RangeTestOptions& options) {
     Outcome outcome;
     outcome.json =
         nlohmann::json{{"stations", experiment.before.stations.size()},
+                       {"verdict", to_string(experiment.verdict)},
                        {"baseline_mm", result->baseline_mm},
                        {"corrected_baseline_mm", experiment.corrected_baseline_mm},
+                       {"baseline_found", experiment.baseline_found},
                        {"corrected_baseline_sigma_mm", experiment.corrected_baseline_sigma_mm},
                        {"before", json_of(experiment.before)},
                        {"after", json_of(experiment.after)}}
@@ -322,8 +324,9 @@ Outcome run_range_test(const RangeTestOptions& options) {
     std::snprintf(line, sizeof line, "%zu places, baseline %.2f mm, corrected %.2f mm\n",
                   experiment.before.stations.size(), result->baseline_mm,
                   experiment.corrected_baseline_mm);
-    outcome.summary =
-        line + sentence("before:", experiment.before) + sentence("after:", experiment.after);
+    outcome.summary = line + sentence("before:", experiment.before) +
+                      sentence("after:", experiment.after) + range_verdict_sentence(experiment) +
+                      "\n";
     return outcome;
 }
 

@@ -63,10 +63,40 @@ std::vector<std::string> summary_row(const char* when, double baseline_mm,
 
 }  // namespace
 
+std::string range_verdict_sentence(const RangeExperiment& experiment) {
+    const std::string bar = " (1999 reached " + number(mean_range_error_1999_pct, 2) +
+                            " % in the mean, " + number(worst_range_error_1999_pct, 2) +
+                            " % at worst)";
+    std::string moved;
+    for (std::size_t i = 0; i < experiment.before.stations.size(); ++i) {
+        if (!experiment.before.stations[i].steady) {
+            moved += (moved.empty() ? "" : ", ") + std::to_string(i + 1);
+        }
+    }
+    switch (experiment.verdict) {
+        case RangeVerdict::good:
+            return "Good without any correction" + bar + ".";
+        case RangeVerdict::good_corrected:
+            return "Good after the correction of the baseline" + bar + ".";
+        case RangeVerdict::not_good:
+            return "Not good, even after the correction" + bar + ".";
+        case RangeVerdict::moved:
+            return "No verdict: the readings lie apart as if the target had moved while it was "
+                   "measured (place " +
+                   moved + "). Measure there again.";
+        case RangeVerdict::too_few_places:
+            break;
+    }
+    return "Not good without a correction" + bar +
+           ", and a baseline that is fitted to fewer than " +
+           std::to_string(least_stations_to_correct) +
+           " places proves nothing: no verdict on the correction.";
+}
+
 std::string range_test_table(const RangeExperiment& experiment) {
     std::string table =
         "station,known_x_mm,known_y_mm,known_z_mm,measured_x_mm,measured_y_mm,measured_z_mm,"
-        "scatter_mm,range_error_pct,depth_error_pct,position_error_mm,corrected_x_mm,"
+        "scatter_mm,spread_mm,range_error_pct,depth_error_pct,position_error_mm,corrected_x_mm,"
         "corrected_y_mm,corrected_z_mm,corrected_range_error_pct,corrected_depth_error_pct,"
         "corrected_position_error_mm\n";
     for (std::size_t i = 0; i < experiment.before.stations.size(); ++i) {
@@ -77,9 +107,10 @@ std::string range_test_table(const RangeExperiment& experiment) {
         const Eigen::Vector3d& c = after.measured_in_left_mm;
         table += std::to_string(i + 1);
         for (const double value :
-             {k.x(), k.y(), k.z(), m.x(), m.y(), m.z(), before.scatter_mm, before.range_error_pct,
-              before.depth_error_pct, before.position_error_mm, c.x(), c.y(), c.z(),
-              after.range_error_pct, after.depth_error_pct, after.position_error_mm}) {
+             {k.x(), k.y(), k.z(), m.x(), m.y(), m.z(), before.scatter_mm, before.spread_mm,
+              before.range_error_pct, before.depth_error_pct, before.position_error_mm, c.x(),
+              c.y(), c.z(), after.range_error_pct, after.depth_error_pct,
+              after.position_error_mm}) {
             table += "," + number(value, 4);
         }
         table += "\n";
@@ -99,14 +130,17 @@ std::string range_test_page(const RangeExperiment& experiment, double baseline_m
                 "position, mean mm", "worst mm"},
                {summary_row("before", baseline_mm, experiment.before),
                 summary_row("after", experiment.corrected_baseline_mm, experiment.after)});
-    if (experiment.corrected_baseline_sigma_mm > 0.0) {
+    page.paragraph(range_verdict_sentence(experiment));
+    if (!experiment.baseline_found) {
+        page.paragraph("The corrected baseline was measured by other means.");
+    } else if (experiment.before.stations.size() == 1) {
+        page.paragraph("The corrected baseline rests on one place alone.");
+    } else {
         page.paragraph(
             "The corrected baseline is the one that suits these places best, with a "
             "deviation of " +
             number(experiment.corrected_baseline_sigma_mm, 3) +
             " mm: what is left after it says nothing of scale.");
-    } else {
-        page.paragraph("The corrected baseline was measured by other means.");
     }
     page.heading("Estimates, level by level");
     std::vector<std::size_t> all;
@@ -145,13 +179,14 @@ std::string range_test_page(const RangeExperiment& experiment, double baseline_m
             row.push_back(number(before.measured_in_left_mm[axis], 1));
         }
         row.push_back(number(before.scatter_mm, 2));
+        row.push_back(number(before.spread_mm, 2) + (before.steady ? "" : " (moved?)"));
         row.push_back(number(before.range_error_pct, 3));
         row.push_back(number(after.range_error_pct, 3));
         row.push_back(number(after.position_error_mm, 2));
         rows.push_back(std::move(row));
     }
     page.table({"", "known x mm", "y mm", "z mm", "measured x mm", "y mm", "z mm", "scatter mm",
-                "range error %", "corrected %", "position, corrected, mm"},
+                "spread mm", "range error %", "corrected %", "position, corrected, mm"},
                rows);
     return page.text();
 }

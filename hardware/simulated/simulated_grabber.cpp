@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,7 +14,8 @@ constexpr std::uint32_t first_sequence = 0xFFFFFFF0U;
 
 class SimulatedGrabber final : public GrabberBase {
   public:
-    using Draw = std::function<Result<Image>(std::int64_t frame)>;
+    /// Empty: there is no picture of that moment, though there may be of later ones.
+    using Draw = std::function<std::optional<Image>(std::int64_t frame)>;
 
     SimulatedGrabber(std::shared_ptr<const SimulatedWorld> world, GrabberInfo info, Draw draw,
                      std::int64_t start, const SimulatedPace& pace)
@@ -48,11 +50,11 @@ class SimulatedGrabber final : public GrabberBase {
             pace_.driven->set_ns(time_ns);
         }
         auto picture = draw_(next_);
-        if (!picture) {
-            return picture.error();
-        }
         Frame frame;
-        frame.picture = std::make_shared<const Image>(std::move(*picture));
+        frame.valid = picture.has_value();
+        if (picture) {
+            frame.picture = std::make_shared<const Image>(std::move(*picture));
+        }
         frame.time_ns = time_ns;
         frame.index = next_;
         frame.sequence = first_sequence + static_cast<std::uint32_t>(next_);
@@ -84,7 +86,7 @@ std::unique_ptr<GrabberBase> make_simulated_grabber(
     const bool left = camera == FixedCamera::left;
     const Camera& lens = left ? world->rig().left : *world->rig().right;
     auto info = info_of(*world, lens, left ? "left" : "right", pace);
-    auto draw = [world, camera](std::int64_t frame) -> Result<Image> {
+    auto draw = [world, camera](std::int64_t frame) -> std::optional<Image> {
         return world->picture(camera, frame);
     };
     return std::make_unique<SimulatedGrabber>(world, std::move(info), std::move(draw), start, pace);
@@ -94,10 +96,10 @@ std::unique_ptr<GrabberBase> make_simulated_grabber(
     const std::shared_ptr<const SimulatedWorld>& world, std::shared_ptr<PanTiltCamera> head,
     std::int64_t start, const SimulatedPace& pace) {
     auto info = info_of(*world, *world->rig().pan_tilt, "pan-tilt", pace);
-    auto draw = [world, head = std::move(head)](std::int64_t frame) -> Result<Image> {
+    auto draw = [world, head = std::move(head)](std::int64_t frame) -> std::optional<Image> {
         const auto status = head->status();
         if (!status) {
-            return status.error();
+            return std::nullopt;  // an unplugged head is plugged in again
         }
         const auto lens = head->lens();
         return world->pan_tilt_picture(frame, status->angles, lens ? lens->magnification() : 1.0);

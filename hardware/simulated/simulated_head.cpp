@@ -63,7 +63,6 @@ void SimulatedHead::Course::go(double goal, double at_speed, std::int64_t now_ns
 SimulatedHead::SimulatedHead(std::shared_ptr<const Clock> clock, const Options& options)
     : clock_(std::move(clock)), options_(options) {
     focus_.from = focus_.to = options_.sharp_focus;
-    kept_.fill({{}, 0.0, options_.sharp_focus, true});
 }
 
 HeadAngles SimulatedHead::angles_at(std::int64_t time_ns) const {
@@ -178,8 +177,8 @@ Result<Done> SimulatedHead::keep_preset(int number) {
     if (possible) {
         std::lock_guard lock(mutex_);
         const std::int64_t now_ns = clock_->now_ns();
-        kept_[static_cast<std::size_t>(number)] = {angles_at(now_ns), zoom_.at(now_ns),
-                                                   focus_.at(now_ns), autofocus_};
+        kept_[static_cast<std::size_t>(number)] =
+            Preset{angles_at(now_ns), zoom_.at(now_ns), focus_.at(now_ns), autofocus_};
     }
     return possible;
 }
@@ -189,10 +188,14 @@ Result<Done> SimulatedHead::recall_preset(int number) {
     if (possible) {
         std::lock_guard lock(mutex_);
         const std::int64_t now_ns = clock_->now_ns();
-        const Preset& preset = kept_[static_cast<std::size_t>(number)];
-        look(preset.angles, now_ns);
-        zoom(preset.zoom, now_ns);
-        focus(preset.focus, preset.autofocus, now_ns);
+        const auto& preset = kept_[static_cast<std::size_t>(number)];
+        if (!preset) {
+            return Error{"Nothing was kept in preset " + std::to_string(number) + ".",
+                         "Keep a position in it first."};
+        }
+        look(preset->angles, now_ns);
+        zoom(preset->zoom, now_ns);
+        focus(preset->focus, preset->autofocus, now_ns);
     }
     return possible;
 }

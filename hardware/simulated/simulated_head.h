@@ -54,7 +54,7 @@ class SimulatedHead final : public PanTiltCamera {
     Result<Done> autofocus() override;
     Result<LensStatus> lens() override;
     Result<Done> keep_preset(int number) override;
-    /// One that nothing was kept in leads home, wide, with autofocus.
+    /// Refuses one that nothing was kept in.
     Result<Done> recall_preset(int number) override;
 
   private:
@@ -89,7 +89,7 @@ class SimulatedHead final : public PanTiltCamera {
     Course zoom_;
     Course focus_;
     bool autofocus_ = true;
-    std::array<Preset, presets> kept_;
+    std::array<std::optional<Preset>, presets> kept_;
 };
 
 }  // namespace kambara

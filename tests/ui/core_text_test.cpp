@@ -10,6 +10,7 @@
 
 #include "core/calibration/rig_calibrator.h"
 #include "core/calibration/target_detector.h"
+#include "core/stereo/range_experiment.h"
 #include "ui/base/quantities.h"
 #include "ui/tracking/heat_colours.h"
 
@@ -42,9 +43,21 @@ TEST(CoreText, TranslatesPhrasesAndKeepsTheirNumbers) {
               "[No file fits the pattern /a/%06d.png.] [Check the name.]");
     EXPECT_EQ(name_of(TrackState::lost), "[Lost]");
     EXPECT_EQ(name_of(TrackState::template_set), "[Template set]");
+    EXPECT_EQ(translated(std::string("Idle -> TemplateSet")), "[[Idle] -> [Template set]]");
     QCoreApplication::removeTranslator(&brackets);
     EXPECT_EQ(translated(std::string("given up: not found in the right picture")),
               "given up: not found in the right picture");
+}
+
+TEST(CoreText, KnowsWhatARangeExperimentRefuses) {
+    Brackets brackets;
+    QCoreApplication::installTranslator(&brackets);
+    const auto refused =
+        judge_ranges({{{0.0, 0.0, 1000.0}, {{0.0, 0.0, 1485.0}}}}, {450.0, std::nullopt, false});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(translated(refused.error()).count(QLatin1Char('[')), 2)
+        << translated(refused.error()).toStdString();
+    QCoreApplication::removeTranslator(&brackets);
 }
 
 // Sentences as core says them today: a changed one must not fall out of the translation.

@@ -8,6 +8,7 @@
 #include <QSpinBox>
 #include <QThread>
 #include <QToolButton>
+#include <QWheelEvent>
 #include <QtTest>
 #include <cmath>
 
@@ -278,6 +279,71 @@ TEST_F(HeadInTheWindow, TheStopKeyHaltsItFromAnywhere) {
     EXPECT_LT(deg_from_rad(page_.shown().head->angles.pan_rad), 90.0);
     EXPECT_FALSE(page_.shown().head->automatic);
     dialog->close();
+}
+
+TEST_F(HeadInTheWindow, StaysTakenByHandWhenAnotherSourceIsOpened) {
+    ASSERT_TRUE(page_.until([&] { return page_.action("home").isEnabled(); }));
+    EXPECT_TRUE(page_.until([&] {
+        return page_.text("headAngles").contains("waits for a target");
+    })) << page_.text("headAngles").toStdString();
+    page_.action("steer").trigger();
+    ASSERT_TRUE(page_.until([&] { return !page_.shown().head->automatic; }));
+    page_.action("simulatedRig").trigger();
+    ASSERT_TRUE(page_.until([&] { return page_.left().shown() == nullptr; }));
+    ASSERT_TRUE(page_.until_picture());
+    EXPECT_TRUE(page_.until([&] { return !page_.shown().head->automatic; }, 5));
+    EXPECT_TRUE(page_.until([&] { return !page_.action("steer").isChecked(); }, 5));
+}
+
+TEST_F(HeadInTheWindow, ItsButtonsStayInSightAndInTheirPlaces) {
+    page_.window().resize(1600, 950);
+    ASSERT_TRUE(page_.until([&] { return page_.action("halt").isEnabled(); }));
+    const auto place_of = [&](const char* action) {
+        for (QToolButton* button : page_.part<QWidget>("headPanel").findChildren<QToolButton*>()) {
+            if (button->defaultAction() == &page_.action(action)) {
+                return button->visibleRegion().boundingRect().size() == button->size()
+                           ? button->mapTo(&page_.window(), QPoint())
+                           : QPoint(-1, -1);
+            }
+        }
+        return QPoint(-2, -2);
+    };
+    const QPoint halt = place_of("halt");
+    EXPECT_GE(halt.x(), 0) << "all of it can be seen";
+    EXPECT_GE(place_of("steer").x(), 0);
+    page_.part<QLabel>("headNote")
+        .setText(
+            "A sentence that goes on for much more than one line of "
+            "the panel, as those of broken lines do.");
+    page_.until([] { return false; }, 1);
+    EXPECT_EQ(place_of("halt"), halt);
+}
+
+TEST_F(HeadInTheWindow, TheWheelOverTheNextFieldChangesNothing) {
+    ASSERT_TRUE(page_.until([&] { return page_.action("home").isEnabled(); }));
+    page_.left().setFocus();
+    for (const char* name : {"driveSpeed", "zoomSlider", "focusSlider"}) {
+        auto& slider = page_.part<QSlider>(name);
+        const int before = slider.value();
+        const QPointF at(0.5 * slider.width(), 0.5 * slider.height());
+        QWheelEvent wheel(at, slider.mapToGlobal(at.toPoint()), {}, {0, 240}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&slider, &wheel);
+        EXPECT_EQ(slider.value(), before) << name;
+        EXPECT_FALSE(slider.hasFocus()) << name;
+    }
+}
+
+TEST_F(HeadInTheWindow, LettersAreTheWindowsKeysInTheBoxOfPresets) {
+    ASSERT_TRUE(page_.until([&] { return page_.action("steer").isChecked(); }));
+    auto& preset = page_.part<QSpinBox>("preset");
+    ASSERT_TRUE(page_.until([&] { return preset.maximum() >= 3; }));
+    preset.setFocus();
+    preset.selectAll();
+    QTest::keyClick(&preset, Qt::Key_3);
+    EXPECT_EQ(preset.value(), 3);
+    QTest::keyClick(&preset, Qt::Key_A);
+    EXPECT_TRUE(page_.until([&] { return !page_.shown().head->automatic; }));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QRegularExpression>
 #include <QTemporaryDir>
+#include <QTextBrowser>
 #include <QToolButton>
 
 #include "tests/ui/window_page.h"
@@ -29,6 +30,21 @@ TEST(Shell, ActionsSayTheirKeyOrWhyTheyAreGrey) {
     for (const QAction* action : page.window().findChildren<QAction*>()) {
         if (!action->objectName().isEmpty() && action->property("help").isValid()) {
             EXPECT_FALSE(action->toolTip().isEmpty()) << action->objectName().toStdString();
+        }
+    }
+}
+
+TEST(Shell, TheListOfKeysHoldsEveryKey) {
+    WindowPage page(WindowPage::simulated(false));
+    page.key(Qt::Key_F1);
+    auto& list = *page.window().findChild<QTextBrowser*>();
+    const QString text = list.toPlainText();
+    for (const QAction* action : page.window().findChildren<QAction*>()) {
+        if (action->property("help").isValid() && !action->shortcut().isEmpty()) {
+            EXPECT_TRUE(text.contains(action->property("help").toString()))
+                << action->objectName().toStdString();
+            EXPECT_TRUE(text.contains(action->shortcut().toString(QKeySequence::NativeText)))
+                << action->objectName().toStdString();
         }
     }
 }

@@ -52,5 +52,23 @@ TEST(VideoViewInTheWindow, EscapeDropsARectangleAndAClickAsksForNothing) {
     EXPECT_TRUE(page.shown().tracks.empty());
 }
 
+TEST(VideoViewInTheWindow, APictureAgesWithThePairsThatComeWithoutIt) {
+    ui::VideoView view(ui::ViewedCamera::pan_tilt, QStringLiteral("Pan-tilt"));
+    view.resize(320, 240);
+    Snapshot snapshot;
+    snapshot.run = RunState::running;
+    snapshot.time_ns = 10'000'000'000;
+    snapshot.pictures.pan_tilt.picture = std::make_shared<const Image>(32, 24, 1);
+    snapshot.pictures.pan_tilt.time_ns = snapshot.time_ns;
+    view.show_snapshot(std::make_shared<const Snapshot>(snapshot));
+    EXPECT_LT(view.age_ms(), 500);
+    snapshot.time_ns += 3'000'000'000;
+    view.show_snapshot(std::make_shared<const Snapshot>(snapshot));
+    EXPECT_GE(view.age_ms(), 3000);
+    snapshot.pictures.pan_tilt.time_ns = snapshot.time_ns + 40'000'000;  // newer than the pair
+    view.show_snapshot(std::make_shared<const Snapshot>(snapshot));
+    EXPECT_LT(view.age_ms(), 500);
+}
+
 }  // namespace
 }  // namespace kambara

@@ -99,6 +99,8 @@ const char* const phrases[] = {
     QT_TRANSLATE_NOOP("core", "The head has no presets."),
     QT_TRANSLATE_NOOP("core", "Use another head."),
     QT_TRANSLATE_NOOP("core", "There is no preset %1."),
+    QT_TRANSLATE_NOOP("core", "Nothing was kept in preset %1."),
+    QT_TRANSLATE_NOOP("core", "Keep a position in it first."),
     QT_TRANSLATE_NOOP("core", "Give a number from %1 to %2."),
     QT_TRANSLATE_NOOP("core", "Nothing is seen at that place of the pan-tilt picture."),
     QT_TRANSLATE_NOOP("core", "Choose one nearer to its middle."),
@@ -212,6 +214,13 @@ std::vector<Phrase> compiled() {
     return all;
 }
 
+// The one name of a state that is no word.
+const char* name_for_people(const char* source) {
+    return QLatin1String(source) == QLatin1String("TemplateSet")
+               ? QT_TRANSLATE_NOOP("core", "Template set")
+               : source;
+}
+
 QString translated(const QString& text) {
     static const std::vector<Phrase> all = compiled();
     for (const Phrase& phrase : all) {
@@ -219,7 +228,7 @@ QString translated(const QString& text) {
         if (!match.hasMatch()) {
             continue;
         }
-        QString result = QCoreApplication::translate("core", phrase.source);
+        QString result = QCoreApplication::translate("core", name_for_people(phrase.source));
         for (int i = 1; i <= match.lastCapturedIndex(); ++i) {
             result.replace(QLatin1Char('%') + QString::number(i), translated(match.captured(i)));
         }
@@ -239,9 +248,6 @@ QString translated(const Error& error) {
 }
 
 QString name_of(TrackState state) {
-    if (state == TrackState::template_set) {
-        return QCoreApplication::translate("core", "Template set");
-    }
     return translated(to_string(state));
 }
 

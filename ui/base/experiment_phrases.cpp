@@ -33,6 +33,12 @@ constexpr std::array phrases{
     QT_TRANSLATE_NOOP("core",
                       "Give four or more that are not on one line, or give them in the rig's or "
                       "the left camera's frame."),
+    QT_TRANSLATE_NOOP("core",
+                      "The baseline that suits the known places best is %1 mm, the rig's is %2 mm, "
+                      "and the range error is %3 % in the mean: that is no wrong baseline."),
+    QT_TRANSLATE_NOOP("core",
+                      "Check the known places, their frame and their unit, and that the target "
+                      "that was followed stood there; or give the baseline measured by tape."),
     QT_TRANSLATE_NOOP("core", "The rig file holds no pan-tilt camera."),
     QT_TRANSLATE_NOOP("core", "Calibrate all three cameras with the head at home first."),
     QT_TRANSLATE_NOOP("core", "%1 views are too few to calibrate the head."),

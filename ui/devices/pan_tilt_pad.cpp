@@ -12,6 +12,7 @@ namespace kambara::ui {
 namespace {
 
 constexpr double margin = 8.0;
+constexpr double mark_px = 8.0;  // its radius
 
 }  // namespace
 
@@ -86,7 +87,9 @@ void PanTiltPad::paintEvent(QPaintEvent*) {
     const QRectF inner = area.adjusted(4.0, 2.0, -4.0, -2.0);
     painter.drawText(inner, Qt::AlignRight | Qt::AlignBottom, degrees(limits_.pan_rad, 0));
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignBottom, degrees(-limits_.pan_rad, 0));
-    painter.drawText(inner, Qt::AlignHCenter | Qt::AlignTop, degrees(limits_.tilt_rad, 0));
+    // Beside the middle line, where the marks of a head at home and straight above are not.
+    painter.drawText(inner.adjusted(0.5 * inner.width() + mark_px + 4.0, 0.0, 0.0, 0.0),
+                     Qt::AlignLeft | Qt::AlignTop, degrees(limits_.tilt_rad, 0));
     if (!head_) {
         painter.drawText(inner, Qt::AlignCenter, tr("no head"));
         return;
@@ -94,7 +97,7 @@ void PanTiltPad::paintEvent(QPaintEvent*) {
     if (head_->commanded) {
         painter.setPen(QPen(theme::accent, 2.0));
         painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(point_of(*head_->commanded), 8.0, 8.0);
+        painter.drawEllipse(point_of(*head_->commanded), mark_px, mark_px);
     }
     painter.setPen(Qt::NoPen);
     painter.setBrush(head_->automatic ? theme::good : theme::caution);

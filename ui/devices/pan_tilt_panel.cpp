@@ -5,12 +5,14 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollBar>
+#include <QScrollArea>
 #include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/base/core_text.h"
+#include "ui/base/field_manners.h"
 #include "ui/base/quantities.h"
 #include "ui/base/theme.h"
 #include "ui/devices/hand_drive.h"
@@ -23,43 +25,46 @@ namespace {
 
 constexpr int first_speed_percent = 30;
 constexpr int most_map_height_px = 130;
+constexpr int note_lines = 3;  // a fault with its remedy
+
+bool is_followed(const Snapshot& snapshot) {
+    const TrackState state = steered_estimate(snapshot).state;
+    return state != TrackState::idle && state != TrackState::template_set;
+}
 
 }  // namespace
 
 PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, HandDrive* drive, QWidget* parent)
-    : QScrollArea(parent), drive_(drive) {
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setFocusPolicy(Qt::NoFocus);
-    auto* inside = new QWidget(this);
-    setWidget(inside);
-    auto* column = new QVBoxLayout(inside);
-    column->setSpacing(4);
-    column->setContentsMargins(6, 4, 6, 4);
-    auto* row = new QHBoxLayout;
-    stick_ = new HeadStick(inside);
-    stick_->setObjectName(QStringLiteral("headStick"));
-    pad_ = new PanTiltPad(inside);
-    pad_->setObjectName(QStringLiteral("panTiltPad"));
-    row->addWidget(stick_);
-    row->addWidget(pad_, 1);
-    pad_->setMaximumHeight(most_map_height_px);
-    column->addLayout(row, 1);
-    angles_ = new QLabel(inside);
+    : QWidget(parent),
+      drive_(drive),
+      scrolled_(new QScrollArea(this)),
+      controls_(new QWidget),
+      angles_(new QLabel(this)),
+      note_(new QLabel(this)) {
+    auto* all = new QVBoxLayout(this);
+    all->setSpacing(4);
+    all->setContentsMargins(6, 4, 6, 0);
+    build_buttons(all, actions);
     angles_->setObjectName(QStringLiteral("headAngles"));
-    angles_->setWordWrap(true);
-    column->addWidget(angles_);
-    note_ = new QLabel(inside);
     note_->setObjectName(QStringLiteral("headNote"));
     note_->setWordWrap(true);
-    note_->hide();
-    column->addWidget(note_);
-    lens_ = new LensControls(inside);
-    build_speed(column);
-    column->addWidget(lens_);
-    build_buttons(column, actions);
-    column->addStretch();
+    note_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    // Kept free, so that nothing moves away under the mouse when a sentence comes or goes.
+    note_->setFixedHeight(note_lines * note_->fontMetrics().lineSpacing());
+    all->addWidget(angles_);
+    all->addWidget(note_);
+    scrolled_->setWidgetResizable(true);
+    scrolled_->setFrameShape(QFrame::NoFrame);
+    scrolled_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrolled_->setFocusPolicy(Qt::NoFocus);
+    scrolled_->setMinimumHeight(1);  // else low screens would have no room for the window
+    auto* column = new QVBoxLayout(controls_);
+    column->setSpacing(4);
+    column->setContentsMargins(0, 0, 4, 4);
+    build_controls(column);
+    scrolled_->setWidget(controls_);
+    all->addWidget(scrolled_, 1);
+    FieldManners::teach(controls_);
     connect(stick_, &HeadStick::held, drive_, [this](const QPointF& deflection) {
         drive_->hold(HandDrive::Source::stick, deflection);
     });
@@ -69,9 +74,25 @@ PanTiltPanel::PanTiltPanel(const QList<QAction*>& actions, HandDrive* drive, QWi
     connect(lens_, &LensControls::asked, this, &PanTiltPanel::asked);
 }
 
+void PanTiltPanel::build_controls(QBoxLayout* column) {
+    auto* row = new QHBoxLayout;
+    stick_ = new HeadStick(controls_);
+    stick_->setObjectName(QStringLiteral("headStick"));
+    pad_ = new PanTiltPad(controls_);
+    pad_->setObjectName(QStringLiteral("panTiltPad"));
+    row->addWidget(stick_);
+    row->addWidget(pad_, 1);
+    pad_->setMaximumHeight(most_map_height_px);
+    column->addLayout(row, 1);
+    lens_ = new LensControls(controls_);
+    build_speed(column);
+    column->addWidget(lens_);
+    column->addStretch();
+}
+
 void PanTiltPanel::build_speed(QBoxLayout* column) {
     auto* row = new QHBoxLayout;
-    speed_ = new QSlider(Qt::Horizontal, widget());
+    speed_ = new QSlider(Qt::Horizontal, controls_);
     speed_->setObjectName(QStringLiteral("driveSpeed"));
     speed_->setAccessibleName(tr("Speed"));
     speed_->setRange(5, 100);
@@ -79,10 +100,10 @@ void PanTiltPanel::build_speed(QBoxLayout* column) {
     speed_->setToolTip(
         tr("How fast arrow keys, stick and gamepad turn the head at most. Zoomed in they turn it "
            "more slowly by themselves."));
-    speed_text_ = new QLabel(widget());
+    speed_text_ = new QLabel(controls_);
     speed_text_->setObjectName(QStringLiteral("driveSpeedText"));
     speed_text_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    auto* label = new QLabel(tr("Speed"), widget());
+    auto* label = new QLabel(tr("Speed"), controls_);
     label->setMinimumWidth(lens_->labels_px());
     row->setSpacing(6);
     row->addWidget(label);
@@ -100,7 +121,7 @@ void PanTiltPanel::build_buttons(QBoxLayout* column, const QList<QAction*>& acti
     grid->setSpacing(4);
     int place = 0;
     for (QAction* action : actions) {
-        auto* button = new QToolButton(widget());
+        auto* button = new QToolButton(this);
         button->setDefaultAction(action);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         grid->addWidget(button, place / columns, place % columns);
@@ -118,7 +139,13 @@ QString PanTiltPanel::told(const ServoSnapshot& servo) {
 }
 
 QSize PanTiltPanel::sizeHint() const {
-    return widget() != nullptr ? widget()->sizeHint() : QScrollArea::sizeHint();
+    const QSize around = layout()->minimumSize() - QSize(0, scrolled_->minimumHeight());
+    return {std::max(around.width(), controls_->sizeHint().width()),
+            around.height() + controls_->sizeHint().height()};
+}
+
+QSize PanTiltPanel::minimumSizeHint() const {
+    return {260, layout()->minimumSize().height()};
 }
 
 void PanTiltPanel::show_snapshot(const SnapshotPtr& snapshot) {
@@ -136,14 +163,18 @@ void PanTiltPanel::show_snapshot(const SnapshotPtr& snapshot) {
         tr("%1/s").arg(degrees(0.01 * speed_->value() * limits.pan_speed_rad_s, 0)));
     if (!head) {
         angles_->setText(tr("There is no pan-tilt head."));
-        note_->hide();
+        note_->clear();
         return;
     }
     pad_->set_limits(limits);
+    const bool faulty = !head->fault.empty();
     angles_->setText(tr("pan %1   tilt %2   %3")
                          .arg(degrees(head->angles.pan_rad), degrees(head->angles.tilt_rad),
-                              head->automatic ? tr("steered to the target") : tr("by hand")));
-    if (!head->fault.empty()) {
+                              faulty                   ? tr("as it last said")
+                              : !head->automatic       ? tr("by hand")
+                              : is_followed(*snapshot) ? tr("steered to the target")
+                                                       : tr("waits for a target")));
+    if (faulty) {
         note_->setText(translated(head->fault));
         note_->setStyleSheet(QStringLiteral("color: %1").arg(theme::bad.name()));
     } else {
@@ -154,7 +185,7 @@ void PanTiltPanel::show_snapshot(const SnapshotPtr& snapshot) {
         note_->setStyleSheet(follows ? QString()
                                      : QStringLiteral("color: %1").arg(theme::caution.name()));
     }
-    note_->setVisible(!note_->text().isEmpty());
+    note_->setToolTip(note_->text());
 }
 
 }  // namespace kambara::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QScrollArea>
+#include <QWidget>
 
 #include "core/vsystem/command.h"
 #include "core/vsystem/snapshot.h"
@@ -9,6 +9,7 @@
 class QAction;
 class QBoxLayout;
 class QLabel;
+class QScrollArea;
 class QSlider;
 
 namespace kambara::ui {
@@ -18,9 +19,10 @@ class HeadStick;
 class LensControls;
 class PanTiltPad;
 
-/// The head by hand: stick and map, where it looks, how fast it is driven, its lens, and the
-/// buttons of the actions that belong to it. Scrolls where there is no room for all.
-class PanTiltPanel : public QScrollArea {
+/// The head by hand: the buttons of the actions that belong to it and where it looks, always in
+/// sight and in their places; below, scrolled where there is no room for all, stick and map, how
+/// fast it is driven, and its lens.
+class PanTiltPanel : public QWidget {
     Q_OBJECT
   public:
     /// The actions become buttons, in that order. The stick and the speed are `drive`'s.
@@ -30,17 +32,20 @@ class PanTiltPanel : public QScrollArea {
     PanTiltPad* pad() const { return pad_; }
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return {260, 120}; }
+    QSize minimumSizeHint() const override;
 
   signals:
     void asked(const kambara::Command& command);
 
   private:
     static QString told(const ServoSnapshot& servo);
+    void build_controls(QBoxLayout* column);
     void build_speed(QBoxLayout* column);
     void build_buttons(QBoxLayout* column, const QList<QAction*>& actions);
 
     HandDrive* drive_;
+    QScrollArea* scrolled_;
+    QWidget* controls_;
     HeadStick* stick_;
     PanTiltPad* pad_;
     QLabel* angles_;

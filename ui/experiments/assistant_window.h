@@ -28,6 +28,8 @@ class AssistantWindow : public QWidget {
     virtual QString unsaved() const = 0;
     /// Asks where something would be lost; true where the window may go.
     bool may_close();
+    /// Closes without asking: that has been done.
+    void close_unasked();
 
   signals:
     void command_asked(const kambara::Command& command);
@@ -35,8 +37,10 @@ class AssistantWindow : public QWidget {
   protected:
     /// Likewise, for another way of losing it, which the button names.
     bool may_drop(const QString& button);
-    /// Where the form says what happened; every form has one at its foot.
-    QLabel* said() { return said_; }
+    /// Asks before another source takes the running one's place; true where it may.
+    bool may_replace_source();
+    /// Where the form says what happened, and its Close button: every form ends with it.
+    QWidget* foot() { return foot_; }
     void say(const QString& text);
     void say_done(const QString& text);
     void say_failure(const QString& text);
@@ -46,9 +50,12 @@ class AssistantWindow : public QWidget {
     virtual void leave() {}
 
   private:
+    bool ask(const char* object_name, const QString& text, const QString& button);
     void say(const QString& text, const QColor& colour);
 
+    QWidget* foot_;
     QLabel* said_;
+    bool asked_ = false;
 };
 
 /// A label that may be as long as its text: in several lines, selectable.

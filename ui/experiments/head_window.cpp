@@ -145,6 +145,10 @@ void HeadWindow::go(bool on) {
     ++run_;
     const std::string name = to_string(*shown);
     if (simulated_ && hand_.target != name) {
+        if (newest_ && !newest_->tracks.empty() && !may_replace_source()) {
+            stop();
+            return;
+        }
         doing_ = Doing::opening;
         say(tr("The simulated rig is being opened with this target\u2026"));
         changed();

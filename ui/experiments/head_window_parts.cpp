@@ -39,7 +39,7 @@ void HeadWindow::build() {
     save_rig_->set_file(folder.filePath(QStringLiteral("rig_with_head.yaml")));
     all->addWidget(save_record_);
     all->addWidget(save_rig_);
-    all->addWidget(said());
+    all->addWidget(foot());
     show_result();
 }
 

@@ -128,7 +128,7 @@ void LevellingWindow::build() {
     save_->set_file(QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
                         .filePath(QStringLiteral("rig_levelled.yaml")));
     all->addWidget(save_);
-    all->addWidget(said());
+    all->addWidget(foot());
     connect(way_, qOverload<int>(&QComboBox::currentIndexChanged), this, &LevellingWindow::changed);
     connect(roll_deg_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             &LevellingWindow::changed);
@@ -300,10 +300,11 @@ void LevellingWindow::show_found(const Found& found) {
 }
 
 QString LevellingWindow::unsaved() const {
-    if (points_in_left_mm_.empty() || saved_) {
-        return {};
+    if (recording_) {
+        return tr("The recording that is under way would be lost.");
     }
-    return tr("The recorded movement and the angle found from it have not been saved.");
+    // A movement without an angle can't be saved: there is nothing to lose but a try.
+    return levelling_ && !saved_ ? tr("The angle that was found has not been saved.") : QString();
 }
 
 void LevellingWindow::save(const QString& file) {

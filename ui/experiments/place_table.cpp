@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/stereo/range_experiment.h"
 #include "ui/base/theme.h"
 
 namespace kambara::ui {
@@ -17,6 +18,7 @@ enum Column {
     known_y,
     known_z,
     count,
+    spread,
     measured_x,
     measured_y,
     measured_z,
@@ -24,6 +26,8 @@ enum Column {
     off_range,
     columns
 };
+
+constexpr int typed_role = Qt::UserRole;  // true: by hand, not read from a file
 
 std::optional<double> number_in(const QTableWidgetItem* item) {
     if (item == nullptr) {
@@ -38,10 +42,14 @@ std::optional<double> number_in(const QTableWidgetItem* item) {
     return is_number && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+bool fine_in(const QTableWidgetItem* item) {
+    return item->text().trimmed().isEmpty() || number_in(item);
+}
+
 }  // namespace
 
 PlaceTable::PlaceTable(QWidget* parent) : QTableWidget(0, columns, parent) {
-    setHorizontalHeaderLabels({tr("x mm"), tr("y mm"), tr("z mm"), tr("readings"),
+    setHorizontalHeaderLabels({tr("x mm"), tr("y mm"), tr("z mm"), tr("readings"), tr("spread mm"),
                                tr("measured x mm"), tr("y mm"), tr("z mm"), tr("off mm"),
                                tr("range error %")});
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -51,15 +59,23 @@ PlaceTable::PlaceTable(QWidget* parent) : QTableWidget(0, columns, parent) {
     setAccessibleName(tr("Known places"));
     connect(this, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
         if (!filling_ && item->column() <= known_z) {
+            filling_ = true;
+            item->setData(typed_role, true);
+            filling_ = false;
             mark(item);
+            emit typed(fine_in(item) ? QString() : item->text().trimmed());
             emit known_changed();
         }
     });
 }
 
 void PlaceTable::mark(QTableWidgetItem* item) {
-    const bool fine = item->text().trimmed().isEmpty() || number_in(item);
+    const bool fine = fine_in(item);
     filling_ = true;
+    // Struck out as well: where the cell is chosen its colour can't be seen.
+    QFont letters = font();
+    letters.setStrikeOut(!fine);
+    item->setFont(letters);
     item->setForeground(fine ? theme::text : theme::bad);
     item->setToolTip(fine ? QString() : tr("This is no number. Write a length in mm."));
     filling_ = false;
@@ -127,17 +143,22 @@ const std::vector<Eigen::Vector3d>& PlaceTable::readings(int row) const {
 void PlaceTable::set_readings(int row, std::vector<Eigen::Vector3d> readings_in_left_mm) {
     auto& readings = readings_.at(static_cast<std::size_t>(row));
     readings = std::move(readings_in_left_mm);
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& one : readings) {
-        mean += one / static_cast<double>(readings.size());
-    }
+    const Spread told = spread_of(readings);
     set_cell(row, count,
              readings.empty() ? QString()
                               : QLocale().toString(static_cast<qulonglong>(readings.size())));
     for (int axis = 0; axis < 3; ++axis) {
         set_cell(row, measured_x + axis,
-                 readings.empty() ? QString() : QLocale().toString(mean[axis], 'f', 1));
+                 readings.empty() ? QString() : QLocale().toString(told.mean_mm[axis], 'f', 1));
     }
+    set_cell(row, spread, readings.empty() ? QString() : QLocale().toString(told.rms_mm, 'f', 1));
+    filling_ = true;
+    item(row, spread)->setForeground(told.steady ? theme::text : theme::bad);
+    item(row, spread)
+        ->setToolTip(told.steady ? tr("How far the readings lie about their mean, RMS.")
+                                 : tr("So far apart that the target has moved, or "
+                                      "another one was matched. Measure again."));
+    filling_ = false;
 }
 
 void PlaceTable::show_difference(int row, const std::optional<Difference>& difference) {
@@ -150,6 +171,19 @@ void PlaceTable::show_difference(int row, const std::optional<Difference>& diffe
 int PlaceTable::measured() const {
     return static_cast<int>(std::count_if(readings_.begin(), readings_.end(),
                                           [](const auto& readings) { return !readings.empty(); }));
+}
+
+int PlaceTable::typed_only() const {
+    int typed = 0;
+    for (int row = 0; row < rowCount(); ++row) {
+        bool any = false;
+        for (const int column : {known_x, known_y, known_z}) {
+            const QTableWidgetItem* one = item(row, column);
+            any = any || (one->data(typed_role).toBool() && !one->text().trimmed().isEmpty());
+        }
+        typed += any && readings(row).empty() ? 1 : 0;
+    }
+    return typed;
 }
 
 int PlaceTable::next_to_measure(int row) const {

@@ -30,11 +30,15 @@ class PlaceTable : public QTableWidget {
     /// What is left between both, where the frame of the known place is known.
     void show_difference(int row, const std::optional<Difference>& difference);
     int measured() const;  ///< rows
+    /// Rows that were typed, if only in part, and have no readings.
+    int typed_only() const;
     /// The first row after `row`, and then from the top, that has no readings; -1 where all have.
     int next_to_measure(int row) const;
 
   signals:
     void known_changed();
+    /// Into a coordinate; `wrong` where that is no number, else empty.
+    void typed(const QString& wrong);
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 #include "core/stereo/range_experiment.h"
 
@@ -10,11 +11,6 @@ class QTableWidget;
 class QVBoxLayout;
 
 namespace kambara::ui {
-
-/// The bar of 1999 (section 7.2.3): the mean and the worst range error after its baseline had been
-/// corrected.
-inline constexpr double mean_range_error_1999_pct = 1.33;
-inline constexpr double worst_range_error_1999_pct = 2.76;
 
 /// What a range experiment came to: verdict, the errors before and after the correction, and plots
 /// of them against depth, height and side, as figure 46 of 1999, with the places from above.
@@ -26,6 +22,9 @@ class RangeResult : public QWidget {
     void show_experiment(const RangeExperiment& experiment, double baseline_mm);
 
   private:
+    static QString verdict(const RangeExperiment& experiment,
+                           const std::function<QString(const RangeErrors&)>& numbers);
+
     QLabel* verdict_;
     QLabel* sentence_;
     QTableWidget* numbers_;

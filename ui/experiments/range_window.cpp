@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
@@ -16,7 +15,6 @@
 #include "ui/experiments/background.h"
 #include "ui/experiments/place_table.h"
 #include "ui/experiments/range_result.h"
-#include "ui/experiments/save_row.h"
 #include "ui/experiments/target_line.h"
 
 namespace kambara::ui {
@@ -33,40 +31,9 @@ RangeWindow::RangeWindow(const ExperimentPorts& ports, QWidget* parent)
 
 RangeWindow::~RangeWindow() = default;
 
-void RangeWindow::connect_all() {
-    connect(load_, &QPushButton::clicked, this, [this] {
-        const QString file = QFileDialog::getOpenFileName(this, tr("Known places"), {},
-                                                          tr("Tables (*.csv);;All files (*)"));
-        if (!file.isEmpty()) {
-            load(file);
-        }
-    });
-    connect(add_, &QPushButton::clicked, this, [this] {
-        table_->setCurrentCell(table_->add_place(), 0);
-        table_->setFocus();
-    });
-    connect(remove_, &QPushButton::clicked, table_, &PlaceTable::remove_chosen);
-    connect(clear_, &QPushButton::clicked, this, [this] {
-        if (may_drop(tr("Clear without saving"))) {
-            table_->remove_all();
-            row_of_station_.clear();
-            saved_ = true;
-        }
-    });
-    connect(measure_, &QPushButton::clicked, this, &RangeWindow::measure);
-    connect(simulate_, &QPushButton::clicked, this, &RangeWindow::simulate);
-    connect(judge_, &QPushButton::clicked, this, &RangeWindow::judge);
-    connect(table_, &PlaceTable::known_changed, this, &RangeWindow::changed);
-    connect(table_, &QTableWidget::currentCellChanged, this, &RangeWindow::changed);
-    connect(frame_, qOverload<int>(&QComboBox::currentIndexChanged), this, &RangeWindow::changed);
-    connect(by_tape_, &QCheckBox::toggled, true_baseline_mm_, &QWidget::setEnabled);
-    for (SaveRow* row : {save_table_, save_page_}) {
-        connect(row, &SaveRow::failed, this, [this](const QString& text) { say_failure(text); });
-    }
-    connect(save_table_, &SaveRow::save_asked, this,
-            [this](const QString& file) { save(file, false); });
-    connect(save_page_, &SaveRow::save_asked, this,
-            [this](const QString& file) { save(file, true); });
+void RangeWindow::set_stations(const SimulatedStations& stations, bool simulated) {
+    stations_ = stations;
+    simulated_ = simulated;
 }
 
 void RangeWindow::set_source(const Rig& rig) {
@@ -77,6 +44,7 @@ void RangeWindow::set_source(const Rig& rig) {
     }
     rig_ = rig;
     last_frame_ = -1;
+    has_targets_ = false;
     chosen_px_.reset();
     if (waited) {
         doing_ = Doing::running;
@@ -139,7 +107,11 @@ void RangeWindow::measure(bool on) {
 }
 
 void RangeWindow::simulate(bool on) {
-    if (!on || !may_drop(tr("Begin without saving"))) {
+    const auto may_begin = [this] {
+        return may_drop(tr("Begin without saving")) &&
+               ((simulated_ && !has_targets_) || may_replace_source());
+    };
+    if (!on || !may_begin()) {
         const bool was_running = doing_ == Doing::running;
         stop();
         if (was_running && table_->measured() > 0) {
@@ -179,6 +151,7 @@ void RangeWindow::show_snapshot(const SnapshotPtr& snapshot) {
         return;
     }
     last_frame_ = snapshot->frame;
+    has_targets_ = !snapshot->tracks.empty();
     if (doing_ == Doing::running && !chosen_px_ && snapshot->pictures.stereo.left.picture) {
         begin_run(*snapshot);
         return;
@@ -203,7 +176,15 @@ void RangeWindow::take_reading(const Eigen::Vector3d& point_in_left_mm) {
     table_->set_readings(row_, readings_);
     saved_ = false;
     const int next = table_->next_to_measure(row_);
+    const Spread told = spread_of(readings_);
     stop();
+    if (!told.steady) {
+        say_failure(tr("The target moved while place %1 was measured: its readings lie %2 about "
+                       "their mean. Let it stand still and measure there again.")
+                        .arg(row_ + 1)
+                        .arg(millimetres(told.rms_mm)));
+        return;
+    }
     if (next >= 0) {
         table_->setCurrentCell(next, 0);
         say(tr("Place %1 is measured. Bring the target to place %2, then measure.")
@@ -242,10 +223,8 @@ void RangeWindow::show_live(int row, const std::vector<Eigen::Vector3d>& reading
         live_->setText(tr("Place %1: waiting for the tracked target\u2026").arg(row + 1));
         return;
     }
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& one : readings) {
-        mean += one / static_cast<double>(readings.size());
-    }
+    const Spread told = spread_of(readings);
+    const Eigen::Vector3d mean = told.mean_mm;
     QString text = tr("Place %1, reading %2: ").arg(row + 1).arg(readings.size());
     if (const auto known = known_in_left_mm(row)) {
         const Eigen::Vector3d off = mean - *known;
@@ -256,7 +235,7 @@ void RangeWindow::show_live(int row, const std::vector<Eigen::Vector3d>& reading
         text += tr("x %1, y %2, z %3")
                     .arg(millimetres(mean.x()), millimetres(mean.y()), millimetres(mean.z()));
     }
-    live_->setText(text);
+    live_->setText(text + tr("; spread %1").arg(millimetres(told.rms_mm)));
 }
 
 void RangeWindow::refresh_differences() {
@@ -267,10 +246,7 @@ void RangeWindow::refresh_differences() {
             table_->show_difference(row, std::nullopt);
             continue;
         }
-        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-        for (const Eigen::Vector3d& one : readings) {
-            mean += one / static_cast<double>(readings.size());
-        }
+        const Eigen::Vector3d mean = spread_of(readings).mean_mm;
         table_->show_difference(
             row,
             PlaceTable::Difference{mean - *known, 100.0 * (mean.norm() / known->norm() - 1.0)});
@@ -377,8 +353,13 @@ void RangeWindow::save(const QString& file, bool page) {
 }
 
 QString RangeWindow::unsaved() const {
-    return saved_ || table_->measured() == 0 ? QString()
-                                             : tr("The measured places have not been saved.");
+    if (!saved_ && table_->measured() > 0) {
+        return tr("The measured places have not been saved.");
+    }
+    const int typed = table_->typed_only();
+    return typed > 0
+               ? tr("Places that were typed and not measured yet would be lost: %1.").arg(typed)
+               : QString();
 }
 
 void RangeWindow::leave() {

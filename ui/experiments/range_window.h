@@ -35,8 +35,9 @@ class RangeWindow : public AssistantWindow {
     explicit RangeWindow(const ExperimentPorts& ports, QWidget* parent = nullptr);
     ~RangeWindow() override;
 
-    /// Before set_source(): what is known where the source is the simulated stations.
-    void set_stations(const SimulatedStations& stations) { stations_ = stations; }
+    /// Before set_source(): what is known where the source is the simulated stations, and whether
+    /// it is a simulation at all.
+    void set_stations(const SimulatedStations& stations, bool simulated);
     void set_source(const Rig& rig) override;
     void show_snapshot(const SnapshotPtr& snapshot) override;
     QString unsaved() const override;
@@ -75,6 +76,8 @@ class RangeWindow : public AssistantWindow {
 
     const ExperimentPorts ports_;
     SimulatedStations stations_;
+    bool simulated_ = false;
+    bool has_targets_ = false;  // what is followed now would be forgotten with its source
     Rig rig_;
     Rig measured_by_;
     Doing doing_ = Doing::nothing;

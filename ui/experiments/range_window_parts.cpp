@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the range experiment's window is made of.
+// What the range experiment's window is made of, and what its parts do.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -30,7 +31,7 @@ void RangeWindow::build() {
     tabs_->setTabEnabled(1, false);
     tabs_->setTabToolTip(1, tr("Measure the places and judge them first."));
     all->addWidget(tabs_, 1);
-    all->addWidget(said());
+    all->addWidget(foot());
 }
 
 QWidget* RangeWindow::places_page() {
@@ -57,6 +58,9 @@ QWidget* RangeWindow::places_page() {
     count_->setObjectName(QStringLiteral("readingsCount"));
     count_->setRange(1, 1000);
     count_->setValue(30);
+    count_->setToolTip(
+        tr("Positions that are averaged where you measure. The simulated experiment stays at each "
+           "place for a second and takes what comes."));
     labelled(tr("Readings a &place"), count_);
     by_tape_ = new QCheckBox(tr("&Baseline by tape:"), page);
     by_tape_->setObjectName(QStringLiteral("rangeByTape"));
@@ -126,6 +130,47 @@ QWidget* RangeWindow::result_page() {
     column->addWidget(save_table_);
     column->addWidget(save_page_);
     return page;
+}
+
+void RangeWindow::connect_all() {
+    connect(load_, &QPushButton::clicked, this, [this] {
+        const QString file = QFileDialog::getOpenFileName(this, tr("Known places"), {},
+                                                          tr("Tables (*.csv);;All files (*)"));
+        if (!file.isEmpty()) {
+            load(file);
+        }
+    });
+    connect(add_, &QPushButton::clicked, this, [this] {
+        table_->setCurrentCell(table_->add_place(), 0);
+        table_->setFocus();
+    });
+    connect(remove_, &QPushButton::clicked, table_, &PlaceTable::remove_chosen);
+    connect(clear_, &QPushButton::clicked, this, [this] {
+        if (may_drop(tr("Clear without saving"))) {
+            table_->remove_all();
+            row_of_station_.clear();
+            saved_ = true;
+        }
+    });
+    connect(measure_, &QPushButton::clicked, this, &RangeWindow::measure);
+    connect(simulate_, &QPushButton::clicked, this, &RangeWindow::simulate);
+    connect(judge_, &QPushButton::clicked, this, &RangeWindow::judge);
+    connect(table_, &PlaceTable::known_changed, this, &RangeWindow::changed);
+    connect(table_, &PlaceTable::typed, this, [this](const QString& wrong) {
+        wrong.isEmpty()
+            ? say({})
+            : say_failure(tr("\u201C%1\u201D is no number. Write a length in mm.").arg(wrong));
+    });
+    connect(table_, &QTableWidget::currentCellChanged, this, &RangeWindow::changed);
+    connect(frame_, qOverload<int>(&QComboBox::currentIndexChanged), this, &RangeWindow::changed);
+    connect(by_tape_, &QCheckBox::toggled, true_baseline_mm_, &QWidget::setEnabled);
+    for (SaveRow* row : {save_table_, save_page_}) {
+        connect(row, &SaveRow::failed, this, [this](const QString& text) { say_failure(text); });
+    }
+    connect(save_table_, &SaveRow::save_asked, this,
+            [this](const QString& file) { save(file, false); });
+    connect(save_page_, &SaveRow::save_asked, this,
+            [this](const QString& file) { save(file, true); });
 }
 
 }  // namespace kambara::ui

@@ -21,6 +21,7 @@ namespace {
 constexpr double window_s = 60.0;
 constexpr int drawing_ms = 50;
 constexpr int columns = 3;
+constexpr double fine_below = 5.0;  // a range whose ticks are no whole numbers
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 void dress(QCPAxis& axis) {
@@ -172,7 +173,12 @@ void PlotsPanel::draw() {
         QCPRange range = plot.graph(0)->getValueRange(found);
         if (found) {
             const double pad = std::max(0.1 * range.size(), 1.0);
-            plot.yAxis->setRange(range.lower - pad, range.upper + pad);
+            // What is never below zero has no axis there.
+            const double lower = range.lower - pad;
+            plot.yAxis->setRange(range.lower >= 0.0 ? std::max(0.0, lower) : lower,
+                                 range.upper + pad);
+            // Two ticks never read the same.
+            plot.yAxis->setNumberPrecision(plot.yAxis->range().size() < fine_below ? 1 : 0);
         }
         plot.replot(QCustomPlot::rpQueuedReplot);
     }

@@ -16,6 +16,9 @@ void Assistants::show(AssistantWindow* window) {
         window->set_source(rig_);
         connect(window, &AssistantWindow::command_asked, this, &Assistants::command_asked);
     }
+    if (newest_ != nullptr) {
+        window->show_snapshot(newest_);
+    }
     window->show();
     window->raise();
     window->activateWindow();
@@ -33,7 +36,7 @@ void Assistants::show_levelling() {
 void Assistants::show_range_experiment() {
     if (range_ == nullptr) {
         range_ = new RangeWindow(ports_, main_window_);
-        range_->set_stations(stations_);
+        range_->set_stations(stations_, simulated_);
         connect(range_, &RangeWindow::stations_asked, this,
                 [this] { emit simulation_asked(QStringLiteral("sim:stations")); });
     }
@@ -57,11 +60,12 @@ void Assistants::set_source(const Rig& rig, const SimulatedStations& stations,
     stations_ = stations;
     hand_ = hand;
     simulated_ = simulated;
+    newest_.reset();
     if (head_ != nullptr) {
         head_->set_hand(hand, simulated);
     }
     if (range_ != nullptr) {
-        range_->set_stations(stations);
+        range_->set_stations(stations, simulated);
     }
     for (AssistantWindow* window : windows_) {
         window->set_source(rig);
@@ -69,6 +73,7 @@ void Assistants::set_source(const Rig& rig, const SimulatedStations& stations,
 }
 
 void Assistants::show_snapshot(const SnapshotPtr& snapshot) {
+    newest_ = snapshot;
     for (AssistantWindow* window : windows_) {
         if (window->isVisible()) {
             window->show_snapshot(snapshot);
@@ -83,6 +88,14 @@ bool Assistants::may_close() {
         }
     }
     return true;
+}
+
+void Assistants::close_all() {
+    for (AssistantWindow* window : windows_) {
+        if (window->isVisible()) {
+            window->close_unasked();
+        }
+    }
 }
 
 }  // namespace kambara::ui

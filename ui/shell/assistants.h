@@ -35,6 +35,8 @@ class Assistants : public QObject {
     void show_snapshot(const SnapshotPtr& snapshot);
     /// Asks where something unsaved would be lost; false where the program must not close.
     bool may_close();
+    /// All that are open, without asking.
+    void close_all();
 
   signals:
     /// A simulated rig of that profile should be opened.
@@ -52,6 +54,7 @@ class Assistants : public QObject {
     LevellingWindow* levelling_ = nullptr;
     RangeWindow* range_ = nullptr;
     HeadWindow* head_ = nullptr;
+    SnapshotPtr newest_;  // of the source that is open
     Rig rig_;
     SimulatedStations stations_;
     TargetHand hand_;

@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QUrl>
@@ -23,6 +24,7 @@
 #include "ui/shell/about_dialog.h"
 #include "ui/shell/assistants.h"
 #include "ui/shell/event_log.h"
+#include "ui/shell/keys_dialog.h"
 #include "ui/shell/open_recording_dialog.h"
 #include "ui/shell/playback_bar.h"
 #include "ui/shell/recent_recordings.h"
@@ -104,6 +106,12 @@ void MainWindow::connect_actions() {
     };
     on(actions_->open_recording, [this] { open_recording_dialog(opened_recording()); });
     on(actions_->simulated_rig, [this] { open(options_.simulation); });
+    on(actions_->close_form, [this] {
+        QWidget* front = QApplication::activeWindow();
+        if (front != nullptr && front != this && front->windowType() == Qt::Window) {
+            front->close();
+        }
+    });
     on(actions_->quit, [this] { close(); });
     on(actions_->play, [this] {
         const bool running = newest_ && newest_->run == RunState::running;
@@ -127,6 +135,7 @@ void MainWindow::connect_actions() {
     on(actions_->stretch_map, [this](bool on_now) { map_->set_stretched(on_now); });
     on(actions_->default_layout, [this] { lay_out(); });
     on(actions_->calibrate, [this] { show_calibration(); });
+    on(actions_->keys, [this] { show_keys(*menuBar(), this); });
     on(actions_->about, [this] { show_about(this); });
     connect(left_, &VideoView::selected, this, &MainWindow::select);
     connect(left_, &VideoView::target_pointed_at, this,
@@ -184,6 +193,9 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
     opened_ = request;
     rig_ = rig;
     recording_ = !is_simulation(request);
+    if (newest_ && newest_->head) {
+        by_hand_ = !newest_->head->automatic;
+    }
     newest_.reset();
     drive_->drop_all();
     for (VideoView* view : {left_, right_, pan_tilt_}) {
@@ -211,6 +223,10 @@ void MainWindow::show_opened(const SourceRequest& request, const Rig& rig) {
 }
 
 void MainWindow::show_snapshot(const SnapshotPtr& snapshot) {
+    // A system that was just opened steers; a head that was taken by hand stays so.
+    if (newest_ == nullptr && by_hand_ && snapshot->head) {
+        link_->send(SteerHead{false});
+    }
     const bool first = newest_ == nullptr || newest_->run != snapshot->run;
     newest_ = snapshot;
     left_->show_snapshot(snapshot);
@@ -274,6 +290,7 @@ void MainWindow::open_recording_dialog(const SourceRequest& request, const QStri
     dialog->set_request(request);
     dialog->show_failure(failure);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { open(dialog->request()); });
+    connect(dialog, &QDialog::finished, notice_, &QWidget::hide);  // it was about what was tried
     dialog->open();
 }
 
@@ -310,6 +327,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (options_.keep_layout) {
         save_layout(*this);
     }
+    // Left open, they would ask again, and one that stays would keep the program running.
+    assistants_->close_all();
     QMainWindow::closeEvent(event);
 }
 

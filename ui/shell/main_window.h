@@ -105,6 +105,7 @@ class MainWindow : public QMainWindow {
     SnapshotPtr newest_;
     SourceRequest opened_;
     bool recording_ = false;
+    bool by_hand_ = false;  // the head, when the source before was left
     QTimer numbers_;
     QTimer notice_time_;
 };

@@ -176,7 +176,7 @@ void MainWindow::build_menus() {
     fill_recent();
     file->addAction(actions_->simulated_rig);
     file->addSeparator();
-    file->addAction(actions_->quit);
+    file->addActions({actions_->close_form, actions_->quit});
     const auto add = [this](const QString& title, const QList<QAction*>& actions) {
         QMenu* menu = menuBar()->addMenu(title);
         menu->addActions(actions);
@@ -197,7 +197,7 @@ void MainWindow::build_menus() {
     }
     view->addSeparator();
     view->addAction(actions_->default_layout);
-    add(tr("H&elp"), {actions_->about});
+    add(tr("H&elp"), {actions_->keys, actions_->about});
 }
 
 }  // namespace kambara::ui

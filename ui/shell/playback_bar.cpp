@@ -5,13 +5,42 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSlider>
 #include <QToolButton>
 
 #include "ui/base/quantities.h"
 
 namespace kambara::ui {
+
+namespace {
+
+// A press beside the handle brings it there.
+class SeekSlider final : public QSlider {
+  public:
+    using QSlider::QSlider;
+
+  protected:
+    void mousePressEvent(QMouseEvent* event) override {
+        if (event->button() == Qt::LeftButton) {
+            QStyleOptionSlider option;
+            initStyleOption(&option);
+            const QRect handle =
+                style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+            if (!handle.contains(event->pos())) {
+                setSliderPosition(QStyle::sliderValueFromPosition(
+                    minimum(), maximum(), event->pos().x() - handle.width() / 2,
+                    width() - handle.width()));
+            }
+        }
+        QSlider::mousePressEvent(event);
+    }
+};
+
+}  // namespace
 
 PlaybackBar::PlaybackBar(QAction* play, QAction* step, QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
@@ -21,7 +50,7 @@ PlaybackBar::PlaybackBar(QAction* play, QAction* step, QWidget* parent) : QWidge
         button->setDefaultAction(action);
         row->addWidget(button);
     }
-    slider_ = new QSlider(Qt::Horizontal, this);
+    slider_ = new SeekSlider(Qt::Horizontal, this);
     slider_->setObjectName(QStringLiteral("seekSlider"));
     slider_->setToolTip(tr("Frame of the recording"));
     slider_->setTracking(false);  // one seek when the handle is let go, not one a pixel

@@ -23,7 +23,7 @@ StatusFields::StatusFields(QStatusBar* bar) : QObject(bar), bar_(bar) {
     show_gamepad(PadState::absent, {});
     lost_ =
         add("statusLost", tr("Pairs that came while the pipeline was busy, or without a partner"),
-            tr("%1 lost").arg(QStringLiteral("100,000")));
+            tr("%1 pairs lost").arg(QStringLiteral("100,000")));
 }
 
 QLabel* StatusFields::add(const char* object_name, const QString& help, const QString& widest) {
@@ -67,7 +67,7 @@ void StatusFields::show_snapshot(const Snapshot& snapshot) {
     rate_->setText(hertz(snapshot.rate_hz));
     latency_->setText(tr("latency %1").arg(milliseconds(snapshot.latency_ms)));
     lost_->setText(
-        tr("%1 lost").arg(QLocale().toString(static_cast<qulonglong>(snapshot.frames_lost))));
+        tr("%1 pairs lost").arg(QLocale().toString(static_cast<qulonglong>(snapshot.frames_lost))));
 }
 
 }  // namespace kambara::ui

@@ -13,6 +13,9 @@ SystemLink::SystemLink(SystemOpener opener, QObject* parent)
 SystemLink::~SystemLink() {
     opening_.end();
     worker_.end();
+    if (system_) {
+        (void)system_->execute(HaltHead{});  // nobody is left who would; without a head, refused
+    }
     snapshots_.reset();
     events_.reset();
     system_.reset();

@@ -12,6 +12,10 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
                           tr("Opens pictures or videos of both cameras"), "openRecording");
     simulated_rig = make(tr("&Simulated rig"), QStringLiteral("Ctrl+R"),
                          tr("Runs on the simulated rig, live"), "simulatedRig");
+    close_form =
+        make(tr("Close &form"), QStringLiteral("Ctrl+W"),
+             tr("Closes the form or the calibration that is in front"), "closeFormInFront");
+    close_form->setShortcutContext(Qt::ApplicationShortcut);
     quit = make(tr("&Quit"), QStringLiteral("Ctrl+Q"), tr("Closes the program"), "quit");
     play = make(tr("&Play"), QStringLiteral("Space"), tr("Lets the recording run, or holds it"),
                 "play");
@@ -52,7 +56,8 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
                          "force"),
                       "resetHead");
     halt->setShortcutContext(Qt::ApplicationShortcut);
-    stop->setShortcutContext(Qt::ApplicationShortcut);
+    // The forms say that tracking is started so; Esc is theirs, to leave a field.
+    start->setShortcutContext(Qt::ApplicationShortcut);
     calibrate = make(tr("&Calibrate\u2026"), QStringLiteral("Ctrl+K"),
                      tr("Calibrates the cameras, step by step"), "calibrate");
     level = make(tr("&Levelling\u2026"), QStringLiteral("Ctrl+L"),
@@ -67,6 +72,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
     stretch_map->setCheckable(true);
     default_layout = make(tr("&Restore default layout"), QString(),
                           tr("Puts all parts of the window back in their places"), "defaultLayout");
+    keys = make(tr("&Keys"), QStringLiteral("F1"), tr("Shows every key and what it does"), "keys");
     about = make(tr("&About Kambara"), QString(), tr("Versions and licences"), "about");
     update(nullptr, false);
 }

@@ -21,6 +21,7 @@ class WindowActions : public QObject {
 
     QAction* open_recording;
     QAction* simulated_rig;
+    QAction* close_form;
     QAction* quit;
     QAction* play;
     QAction* step;
@@ -41,6 +42,7 @@ class WindowActions : public QObject {
     QAction* calibrate_head;
     QAction* stretch_map;
     QAction* default_layout;
+    QAction* keys;
     QAction* about;
 
   private:

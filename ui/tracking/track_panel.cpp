@@ -17,9 +17,11 @@ namespace {
 
 const QString none = QStringLiteral("\u2013");
 
+constexpr int sigma_decimals = 2;  // near by, a tenth of a millimetre would read as none
+
 QString with_sigma(double value_mm, double variance_mm2) {
     return QStringLiteral("%1  \u00B1 %2")
-        .arg(millimetres(value_mm), millimetres(std::sqrt(variance_mm2)));
+        .arg(millimetres(value_mm), millimetres(std::sqrt(variance_mm2), sigma_decimals));
 }
 
 }  // namespace
@@ -117,7 +119,7 @@ QLabel* TrackPanel::add_row(const QString& name, const QString& object_name, con
     value->setToolTip(help);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     value->setMinimumWidth(
-        value->fontMetrics().horizontalAdvance(QStringLiteral("-10,000.0 mm  \u00B1 1,000.0 mm")));
+        value->fontMetrics().horizontalAdvance(QStringLiteral("-10,000.0 mm  \u00B1 1,000.00 mm")));
     auto* form = static_cast<QFormLayout*>(layout());
     form->addRow(name, value);
     return value;
@@ -170,9 +172,9 @@ void TrackPanel::show_snapshot(const SnapshotPtr& snapshot) {
         const Eigen::Vector3d sigma =
             (R * *by_calibration * R.transpose()).diagonal().cwiseMax(0.0).cwiseSqrt();
         calibration_->setText(QStringLiteral("\u00B1 %1 / %2 / %3")
-                                  .arg(sigma.x(), 0, 'f', 1)
-                                  .arg(sigma.y(), 0, 'f', 1)
-                                  .arg(millimetres(sigma.z())));
+                                  .arg(sigma.x(), 0, 'f', sigma_decimals)
+                                  .arg(sigma.y(), 0, 'f', sigma_decimals)
+                                  .arg(millimetres(sigma.z(), sigma_decimals)));
     } else {
         calibration_->setText(tr("not known"));
     }

@@ -110,7 +110,10 @@ void paint_aim(QPainter& painter, const ViewTransform& view, const Snapshot& sna
     }
     const QPointF middle =
         view.widget_from_pixel({0.5 * (picture->width() - 1), 0.5 * (picture->height() - 1)});
-    const QColor colour = snapshot.head->automatic ? theme::good : theme::caution;
+    // Where it looks is not known for sure while it complains.
+    const QColor colour = !snapshot.head->fault.empty() ? theme::bad
+                          : snapshot.head->automatic    ? theme::good
+                                                        : theme::caution;
     painter.setPen(QPen(colour, 1.5));
     for (const QPointF& side : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
         painter.drawLine(middle + arm * side, middle + 3.0 * arm * side);

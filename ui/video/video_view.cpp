@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QThread>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -326,6 +327,15 @@ QString VideoView::cursor_text() const {
     return place + tr("   grey %1").arg(picture->at(x, y));
 }
 
+// A camera may have stopped while the others go on: then its picture ages with every pair.
+qint64 VideoView::age_ms() const {
+    if (!newest_ || !shown_) {
+        return 0;
+    }
+    const qint64 behind_ms = (newest_->time_ns - frame_of(*shown_).time_ns) / 1'000'000;
+    return std::max<qint64>(0, behind_ms) + since_newest_.elapsed();
+}
+
 void VideoView::paint_notes(QPainter& painter) const {
     const QRectF within = QRectF(rect()).adjusted(margin, margin, -margin, -margin);
     if (image_.isNull()) {
@@ -334,7 +344,6 @@ void VideoView::paint_notes(QPainter& painter) const {
                          tr("%1: no picture").arg(title_));
         return;
     }
-    const qint64 age_ms = since_newest_.isValid() ? since_newest_.elapsed() : 0;
     const bool stands = newest_ && newest_->run != RunState::running;
     QString text = tr("%1   frame %2").arg(title_).arg(frame_of(*shown_).index);
     QColor colour = theme::text;
@@ -342,9 +351,9 @@ void VideoView::paint_notes(QPainter& painter) const {
         text += QStringLiteral("   ") + tr("FROZEN");
         colour = theme::caution;
     } else if (!stands) {
-        text +=
-            QStringLiteral("   ") + tr("%1 old").arg(seconds(0.001 * static_cast<double>(age_ms)));
-        colour = age_ms > old_ms ? theme::bad : theme::text;
+        text += QStringLiteral("   ") +
+                tr("%1 old").arg(seconds(0.001 * static_cast<double>(age_ms())));
+        colour = age_ms() > old_ms ? theme::bad : theme::text;
     }
     paint_note(painter, within, Qt::AlignTop | Qt::AlignLeft, text, colour);
     paint_note(painter, within, Qt::AlignBottom | Qt::AlignRight, percent(view_.zoom()),

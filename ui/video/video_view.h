@@ -38,6 +38,8 @@ class VideoView : public QWidget {
     bool frozen() const { return frozen_; }
     /// The snapshot on show; null before the first.
     const SnapshotPtr& shown() const { return shown_; }
+    /// Of the picture on show: what the newest pair is younger, and how long ago that came.
+    qint64 age_ms() const;
     const ViewTransform& view() const { return view_; }
     /// Slows every painting down by so much: for measuring what a slow painter does to the rest.
     void set_painting_delay_ms(int delay_ms) { painting_delay_ms_ = delay_ms; }

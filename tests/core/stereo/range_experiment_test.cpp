@@ -42,6 +42,56 @@ TEST(RangeExperiment, ABaselineThatIsWrongIsFoundAndTakenOff) {
     EXPECT_NEAR(result->corrected_baseline_mm, 450.0, 1e-9);
     EXPECT_LT(result->after.worst_range_pct, 1e-9);
     EXPECT_LT(result->after.worst_position_mm, 1e-9);
+    EXPECT_EQ(result->verdict, RangeVerdict::good_corrected);
+    EXPECT_TRUE(result->baseline_found);
+}
+
+TEST(RangeExperiment, ABaselineFoundFromAFewPlacesProvesNothing) {
+    auto few = stations(1.1, 0.0, 1);
+    const RangeExperimentOptions found{495.0, std::nullopt, false};
+    for (const std::size_t count : {3U, 1U}) {
+        few.resize(count);
+        const auto result = judge_ranges(few, found);
+        ASSERT_TRUE(result) << result.error().text();
+        EXPECT_LT(result->after.worst_range_pct, 1e-9);
+        EXPECT_EQ(result->verdict, RangeVerdict::too_few_places) << count;
+    }
+    const auto by_tape = judge_ranges(few, {495.0, 450.0, false});
+    ASSERT_TRUE(by_tape);
+    EXPECT_EQ(by_tape->verdict, RangeVerdict::good_corrected) << "a tape proves it";
+    EXPECT_FALSE(by_tape->baseline_found);
+    const auto right = judge_ranges({stations(1.0, 0.0, 1)[40]}, {450.0, std::nullopt, false});
+    ASSERT_TRUE(right);
+    EXPECT_EQ(right->verdict, RangeVerdict::good) << "nothing was fitted";
+}
+
+TEST(RangeExperiment, ABaselineThatCannotBeIsRefused) {
+    const auto wrong = judge_ranges(stations(1.485, 0.0, 1), {450.0, std::nullopt, false});
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(wrong.error().cause.find("303 mm"), std::string::npos) << wrong.error().cause;
+    EXPECT_NE(wrong.error().cause.find("48.5 %"), std::string::npos) << wrong.error().cause;
+    const auto by_tape = judge_ranges(stations(1.485, 0.0, 1), {450.0, 448.0, false});
+    ASSERT_TRUE(by_tape) << "a tape is believed";
+    EXPECT_EQ(by_tape->verdict, RangeVerdict::not_good);
+}
+
+TEST(RangeExperiment, ATargetThatMovedProvesNothing) {
+    auto all = stations(1.0, 0.0, 1);
+    const RangeExperimentOptions options{450.0, std::nullopt, false};
+    ASSERT_EQ(judge_ranges(all, options)->verdict, RangeVerdict::good);
+    // 120 mm sideways: its range hardly changes.
+    auto& readings = all[7].readings_in_left_mm;
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        readings[i].x() += 40.0 * (static_cast<double>(i) - 1.5);
+    }
+    const auto moved = judge_ranges(all, options);
+    ASSERT_TRUE(moved);
+    EXPECT_EQ(moved->verdict, RangeVerdict::moved);
+    EXPECT_FALSE(moved->before.stations[7].steady);
+    EXPECT_NEAR(moved->before.stations[7].spread_mm, 40.0 * std::sqrt(1.25), 1e-9);
+    EXPECT_TRUE(moved->before.stations[8].steady);
+    // A steady one's noise, four times what a rig of that kind shows, is no motion.
+    EXPECT_EQ(judge_ranges(stations(1.0, 0.002, 1), options)->verdict, RangeVerdict::good);
 }
 
 TEST(RangeExperiment, AMeasuredBaselineIsTakenAsItIs) {
