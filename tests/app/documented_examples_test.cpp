@@ -158,6 +158,7 @@ TEST(DocumentedExamples, PointsAreRead) {
     const auto outcome =
         cli::run_triangulate({resources / "rigs/nominal-air.yaml", folder / "points.txt"});
     EXPECT_FALSE(outcome.failure) << outcome.failure->text();
+    EXPECT_EQ(outcome.summary.find("no position"), std::string::npos) << outcome.summary;
     fs::remove_all(folder);
 }
 
