@@ -15,7 +15,10 @@ class ToldHead final : public PanTiltCamera {
   public:
     std::string name() const override { return "told"; }
     HeadLimits limits() const override { return reach; }
-    HeadAbilities abilities() const override { return able; }
+    HeadAbilities abilities() const override {
+        std::lock_guard lock(mutex_);
+        return able_;
+    }
     Result<Done> move_to(const HeadAngles& angles) override { return write("steer", angles); }
     Result<Done> move_by_hand(const HeadAngles& angles) override { return write("look", angles); }
     Result<Done> halt() override { return write("halt"); }
@@ -41,6 +44,11 @@ class ToldHead final : public PanTiltCamera {
         status_ = status;
     }
 
+    void can(const HeadAbilities& able) {
+        std::lock_guard lock(mutex_);
+        able_ = able;
+    }
+
     struct Line {
         std::string what;
         HeadAngles with;
@@ -56,8 +64,7 @@ class ToldHead final : public PanTiltCamera {
                                               [&](const Line& line) { return line.what == what; }));
     }
 
-    HeadAbilities able{true, true, true, true, true, 6};
-    HeadLimits reach;
+    HeadLimits reach;  // not to be changed any more once it is used
 
   private:
     Result<Done> write(const std::string& what, const HeadAngles& with = {}) {
@@ -69,6 +76,7 @@ class ToldHead final : public PanTiltCamera {
     mutable std::mutex mutex_;
     std::vector<Line> lines_;
     Result<HeadStatus> status_ = HeadStatus{};
+    HeadAbilities able_{true, true, true, true, true, 6};
 };
 
 }  // namespace kambara::testing_support

@@ -110,7 +110,7 @@ TEST_P(HeadWorkerTest, TurnsAndSettingsReachTheHead) {
     const auto reading = worker_.reading();
     ASSERT_TRUE(reading.lens);
     EXPECT_EQ(*reading.lens, *head_->lens());
-    EXPECT_EQ(reading.abilities, head_->able);
+    EXPECT_EQ(reading.abilities, head_->abilities());
 }
 
 TEST_P(HeadWorkerTest, HaltsWhatItDroveWhenItEnds) {

@@ -98,7 +98,7 @@ TEST_F(ManualHeadTest, TheLensLeavesTheSteeringAsItIs) {
     EXPECT_EQ(head_->lines().size(), 4U);
     ASSERT_TRUE(head().lens);
     EXPECT_EQ(*head().lens, *head_->lens());
-    EXPECT_EQ(head().abilities, head_->able);
+    EXPECT_EQ(head().abilities, head_->abilities());
     EXPECT_EQ(head().limits, HeadLimits{});
 }
 
@@ -115,7 +115,7 @@ TEST_F(ManualHeadTest, FasterThanItCanIsAsFastAsItCan) {
 }
 
 TEST_F(ManualHeadTest, WhatTheHeadLacksIsRefusedWithTheReason) {
-    head_->able = {};
+    head_->can({});
     for (const Command& command :
          {Command(DriveHead{0.1, 0.0}), Command(ResetHead{}), Command(ZoomHead{0.5}),
           Command(FocusHead{0.5}), Command(AutofocusHead{}), Command(KeepPreset{0}),
@@ -127,7 +127,7 @@ TEST_F(ManualHeadTest, WhatTheHeadLacksIsRefusedWithTheReason) {
     }
     EXPECT_TRUE(head().automatic) << "a refusal changes nothing";
     EXPECT_TRUE(head_->lines().empty());
-    head_->able = {true, true, true, true, true, 6};
+    head_->can({true, true, true, true, true, 6});
     for (const Command& command :
          {Command(ZoomHead{1.5}), Command(FocusHead{-0.1}), Command(KeepPreset{6}),
           Command(RecallPreset{-1}), Command(DriveHead{std::nan(""), 0.0})}) {
