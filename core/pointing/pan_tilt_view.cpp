@@ -15,13 +15,6 @@ Eigen::Vector2d middle_px(const Camera& camera) {
     return project(camera.lens, Eigen::Vector3d::UnitZ()).value();
 }
 
-double calibrated_view_rad(const Camera& camera) {
-    const double row = middle_px(camera).y();
-    const auto left = unproject(camera.lens, {0.0, row});
-    const auto right = unproject(camera.lens, {camera.width_px - 1.0, row});
-    return left && right ? std::acos(left->direction.dot(right->direction)) : 0.0;
-}
-
 }  // namespace
 
 Camera pan_tilt_camera_at(const Rig& rig, const HeadAngles& angles) {
@@ -38,14 +31,6 @@ Camera pan_tilt_camera_at(const Rig& rig, const HeadAngles& angles) {
         RigidTransform{R_home_from_turned.transpose(), Eigen::Vector3d::Zero()} *
         camera.T_camera_from_rig;
     return camera;
-}
-
-double magnification(const Camera& camera, double horizontal_view_rad) {
-    const double calibrated_rad = calibrated_view_rad(camera);
-    if (!(horizontal_view_rad > 0.0) || !(calibrated_rad > 0.0)) {
-        return 1.0;
-    }
-    return std::tan(0.5 * calibrated_rad) / std::tan(0.5 * horizontal_view_rad);
 }
 
 Eigen::Vector2d pixel_at_calibrated_zoom(const Camera& camera, const Eigen::Vector2d& pixel,

@@ -12,12 +12,8 @@ namespace kambara {
 /// or by the rig's head model where there is one. The rig must have a pan-tilt camera.
 Camera pan_tilt_camera_at(const Rig& rig, const HeadAngles& angles);
 
-/// How much larger things are in its pictures than at the zoom that the camera was calibrated at,
-/// by the view from the left to the right edge that the lens tells; 1 where that is not known (0).
-double magnification(const Camera& camera, double horizontal_view_rad);
-
-/// Of a picture magnified so: the pixel on which the same direction would lie at the calibrated
-/// zoom.
+/// Of a picture in which things are so many times as large as at the zoom that the camera was
+/// calibrated at: the pixel on which the same direction would lie there.
 Eigen::Vector2d pixel_at_calibrated_zoom(const Camera& camera, const Eigen::Vector2d& pixel,
                                          double magnified);
 

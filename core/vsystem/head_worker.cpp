@@ -139,9 +139,9 @@ bool HeadWorker::move_failed() const {
     return !move_fault_.empty();
 }
 
-double HeadWorker::horizontal_view_rad() const {
+double HeadWorker::magnification() const {
     std::lock_guard lock(mutex_);
-    return lens_ ? lens_->horizontal_view_rad : 0.0;
+    return lens_ ? lens_->magnification() : 1.0;
 }
 
 void HeadWorker::run(const std::stop_token& stop) {

@@ -66,8 +66,8 @@ class HeadWorker {
     /// Where it looked at a time of the last second, by the clock; with inline calls, now. Empty
     /// while it does not say.
     std::optional<HeadAngles> angles_at(std::int64_t time_ns);
-    /// What its camera sees from the left to the right edge, as its lens says; 0 where it does not.
-    double horizontal_view_rad() const;
+    /// How much larger its camera shows things than at its widest; 1 where its lens does not say.
+    double magnification() const;
     /// What happened to the head since the last call.
     std::vector<HeadNote> take_notes();
     /// The last command was refused by the device.

@@ -43,7 +43,7 @@ class PanTiltServo {
         const StereoTracker* stereo = nullptr;
         /// Number of the steered one, while it is followed.
         std::optional<int> target = std::nullopt;
-        double magnified = 1.0;  ///< by the zoom, over what the rig file's lens gives
+        double magnified = 1.0;  ///< by the zoom, over that of the calibration
     };
     void see(const Seen& seen);
 

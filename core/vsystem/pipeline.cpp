@@ -382,8 +382,10 @@ std::optional<HeadAngles> Pipeline::angles_of_pan_tilt_picture() {
     return head_->angles_at(images_.arrived_ns + (one_clock ? after_left_ns : 0) - late_ns);
 }
 
+// Over the zoom of its calibration, which is taken to be the widest. By the lens's own views, both
+// in air: the rig's lens may be a wet one.
 double Pipeline::magnified_now() const {
-    return rig_.pan_tilt ? magnification(*rig_.pan_tilt, head_->horizontal_view_rad()) : 1.0;
+    return head_->magnification();
 }
 
 void Pipeline::look_through_head() {

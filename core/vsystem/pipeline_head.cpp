@@ -219,9 +219,9 @@ Result<Reply> Pipeline::centre_head(const CentreHead& command) {
                      "Calibrate it with the others first."};
     }
     const auto reading = head_->reading();
-    const auto angles = angles_to_centre(rig_, command.seen_from.value_or(reading.status.angles),
-                                         {command.x_px, command.y_px}, centred_range_mm,
-                                         reading.lens ? reading.lens->magnification() : 1.0);
+    const auto angles =
+        angles_to_centre(rig_, command.seen_from.value_or(reading.status.angles),
+                         {command.x_px, command.y_px}, centred_range_mm, magnified_now());
     if (!angles) {
         return Error{"Nothing is seen at that place of the pan-tilt picture.",
                      "Choose one nearer to its middle."};
