@@ -131,7 +131,7 @@ TEST_F(HeadInTheWindow, AWindowThatHangsLetsTheHeadGo) {
     const double before_rad = page_.shown().head->angles.pan_rad;
     QThread::msleep(1500);  // the window's thread: nothing is said for so long
     QTest::mouseRelease(&stick, Qt::LeftButton, Qt::NoModifier, right);
-    ASSERT_TRUE(page_.until([&] { return page_.events().last_text().contains("halted"); }));
+    ASSERT_TRUE(page_.until([&] { return page_.events().tells("halted"); }));
     ASSERT_TRUE(page_.until([&] { return !page_.shown().head->moving; }));
     // At 24 degrees a second: 36 in that time, a fifth of a second's worth and what was on its way
     // when it was let go.

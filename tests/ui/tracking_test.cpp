@@ -82,7 +82,7 @@ TEST(TrackingInTheWindow, CtrlAddsASecondTargetAndSteersToIt) {
     page.click(*page.shown().tracks[1].estimate.left_px, Qt::ControlModifier);
     ASSERT_TRUE(page.until([&] { return page.shown().steered_target == 2; }));
     EXPECT_TRUE(page.until([&] { return page.text("steeredTarget") == "number 2, one of 2"; }));
-    EXPECT_EQ(page.events().last_text(), "The head is steered to target 2 now.");
+    EXPECT_TRUE(page.events().tells("The head is steered to target 2 now."));
     ASSERT_TRUE(page.until_state(TrackState::tracking));
     // The seabed's piece is to the left of where the head is mounted.
     EXPECT_TRUE(page.until([&] { return page.shown().head->angles.pan_rad < -0.2; }));
@@ -141,7 +141,7 @@ TEST(TrackingInTheWindow, ARefusedRectangleSaysWhyAndLosesNothing) {
     page.drag({4, 4, 25, 25});  // open water
     ASSERT_TRUE(page.until([&] { return page.part<QLabel>("notice").isVisible(); }));
     EXPECT_TRUE(page.text("notice").contains("texture")) << page.text("notice").toStdString();
-    EXPECT_TRUE(page.events().last_text().contains("texture"));
+    EXPECT_TRUE(page.events().tells("texture"));
     EXPECT_TRUE(page.shown().tracks.empty());
 }
 

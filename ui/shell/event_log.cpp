@@ -51,8 +51,14 @@ int EventLog::rows() const {
     return table_->rowCount();
 }
 
-QString EventLog::last_text() const {
-    return rows() == 0 ? QString() : table_->item(rows() - 1, 2)->text();
+bool EventLog::tells(const QString& part) const {
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const QTableWidgetItem* item = table_->item(row, table_->columnCount() - 1);
+        if (item != nullptr && item->text().contains(part)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 void EventLog::add_row(Event::Kind kind, const QString& text) {

@@ -20,7 +20,8 @@ class EventLog : public QWidget {
     void add_note(const QString& text);
     void add_fault(const QString& text);
     int rows() const;
-    QString last_text() const;
+    /// Whether an event's text holds this.
+    bool tells(const QString& part) const;
 
   private:
     void add_row(Event::Kind kind, const QString& text);
