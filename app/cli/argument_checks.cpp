@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <set>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -52,25 +51,6 @@ CLI::Validator not_negative() {
 
 CLI::Validator above_zero() {
     return number_check("more than 0", [](double value) { return value > 0.0; });
-}
-
-CLI::Validator numbers(int count, const std::string& form) {
-    return CLI::Validator(
-        [count, form](std::string& text) {
-            std::istringstream parts(text);
-            std::string part;
-            int found = 0;
-            bool good = !text.empty() && text.back() != ',';
-            while (std::getline(parts, part, ',')) {
-                char* end = nullptr;
-                good &=
-                    !part.empty() && std::isfinite(std::strtod(part.c_str(), &end)) && *end == '\0';
-                ++found;
-            }
-            return good && found == count ? std::string()
-                                          : "\"" + text + "\" is not understood: give " + form;
-        },
-        "");
 }
 
 CLI::Validator a_rectangle(bool or_auto) {

@@ -9,8 +9,6 @@ namespace kambara::cli {
 /// Checks of an option's number that say what is asked for.
 CLI::Validator not_negative();
 CLI::Validator above_zero();
-/// `count` numbers with commas between them.
-CLI::Validator numbers(int count, const std::string& form);
 /// X,Y,W,H in whole pixels; `auto` too where that is allowed.
 CLI::Validator a_rectangle(bool or_auto);
 

@@ -76,17 +76,13 @@ Result<Done> plan_model(const CalibrateOptions& options, RigCalibratorOptions& p
     return Done{};
 }
 
-Result<Job> planned(const CalibrateOptions& options) {
-    Job job;
-    auto target = parse_target(options.target);
-    if (!target) {
-        return target.error();
-    }
-    job.target = std::move(*target);
-    if (const auto done = plan_model(options, job.options); !done) {
+// What the options say by themselves, without a look at any file.
+Result<RigCalibratorOptions> understood(const CalibrateOptions& options) {
+    RigCalibratorOptions plan;
+    if (const auto done = plan_model(options, plan); !done) {
         return done.error();
     }
-    job.options.estimate_target = options.estimate_target;
+    plan.estimate_target = options.estimate_target;
     if (options.baseline) {
         const auto known = parse_baseline(*options.baseline);
         if (!known) {
@@ -95,8 +91,19 @@ Result<Job> planned(const CalibrateOptions& options) {
         if (options.right.empty()) {
             return Error{"--baseline needs a right camera.", "Give --right, or leave it out."};
         }
-        job.options.baseline = *known;
+        plan.baseline = *known;
     }
+    return plan;
+}
+
+Result<Job> planned(const CalibrateOptions& options, RigCalibratorOptions plan) {
+    Job job;
+    job.options = std::move(plan);
+    auto target = parse_target(options.target);
+    if (!target) {
+        return target.error();
+    }
+    job.target = std::move(*target);
     if (options.expected) {
         auto expected = read_rig_file(*options.expected);
         if (!expected) {
@@ -166,7 +173,13 @@ Outcome failed(const Error& error, Json json) {
 }  // namespace
 
 Outcome run_calibrate(const CalibrateOptions& options) {
-    auto job = planned(options);
+    auto plan = understood(options);
+    if (!plan) {
+        Outcome outcome = failed(plan.error(), Json::object());
+        outcome.wrong_usage = true;
+        return outcome;
+    }
+    auto job = planned(options, std::move(*plan));
     if (!job) {
         return failed(job.error(), Json::object());
     }

@@ -27,7 +27,6 @@
 #include "app/cli/track_command.h"
 #include "app/cli/triangulate_command.h"
 #include "core/base/text_file.h"
-#include "core/matching/match_method.h"
 
 namespace {
 
@@ -58,12 +57,6 @@ void add_position_method(CLI::App& command, std::string& method) {
                     "(rule), midpoint, parallel (parallel cameras only)")
         ->capture_default_str()
         ->check(CLI::IsMember({"reprojection", "sine", "midpoint", "parallel"}));
-}
-
-void require_method(const std::string& measure, const std::string& transform) {
-    if (const auto method = parse_method(measure, transform); !method) {
-        throw CLI::ValidationError("--measure, --transform", method.error().text());
-    }
 }
 
 void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
@@ -115,18 +108,7 @@ void add_track(CLI::App& app, Chosen& chosen, TrackOptions& o) {
         ->check(CLI::IsMember({"left", "rig", "level", "vehicle"}));
     c->add_option("--csv", o.csv, "Table to write")->required();
     add_json(*c, chosen);
-    c->callback([&] {
-        if (o.record) {
-            throw CLI::ValidationError("--record",
-                                       "recording is not in this version yet. Leave it out");
-        }
-        if (o.steer < 1 || o.steer > static_cast<int>(o.templates.size())) {
-            throw CLI::ValidationError("--steer",
-                                       "give the number of one of the --template options");
-        }
-        require_method(o.measure, o.transform);
-        chosen.run = [&o] { return run_track(o); };
-    });
+    c->callback([&] { chosen.run = [&o] { return run_track(o); }; });
 }
 
 void add_calibrate(CLI::App& app, Chosen& chosen, CalibrateOptions& o) {
@@ -141,10 +123,8 @@ void add_calibrate(CLI::App& app, Chosen& chosen, CalibrateOptions& o) {
     c->add_option("--model", o.model, "brown or tsai")
         ->capture_default_str()
         ->check(CLI::IsMember({"brown", "tsai"}));
-    c->add_option("--sensor", o.sensor, "dx,dy,Ncx,Nfx (for tsai)")
-        ->check(numbers(4, "dx,dy,Ncx,Nfx"));
-    c->add_option("--baseline", o.baseline, "Baseline measured by tape: MM,SIGMA")
-        ->check(numbers(2, "MM,SIGMA, for example 450,0.5"));
+    c->add_option("--sensor", o.sensor, "dx,dy,Ncx,Nfx (for tsai)");
+    c->add_option("--baseline", o.baseline, "Baseline measured by tape: MM,SIGMA");
     c->add_option("--medium", o.medium, "Where the pictures were taken: air or water")
         ->capture_default_str()
         ->check(CLI::IsMember({"air", "water"}));
@@ -155,12 +135,7 @@ void add_calibrate(CLI::App& app, Chosen& chosen, CalibrateOptions& o) {
     c->add_option("--out", o.out, "Rig file to write")->required();
     c->add_option("--report", o.report, "HTML report to write");
     add_json(*c, chosen);
-    c->callback([&] {
-        if (o.model == "tsai" && !o.sensor) {
-            throw CLI::RequiredError("--sensor (the model tsai needs it)");
-        }
-        chosen.run = [&o] { return run_calibrate(o); };
-    });
+    c->callback([&] { chosen.run = [&o] { return run_calibrate(o); }; });
 }
 
 void add_calibrate_points(CLI::App& app, Chosen& chosen, CalibratePointsOptions& o) {

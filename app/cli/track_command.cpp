@@ -175,6 +175,24 @@ class TrackLog {
     bool over_ = false;
 };
 
+std::optional<Error> misused(const TrackOptions& options) {
+    if (options.record) {
+        return Error{"Recording a session is not in this version yet.", "Leave --record out."};
+    }
+    const int count = static_cast<int>(options.templates.size());
+    if (count < 1 || count > most_targets) {
+        return Error{std::to_string(count) + " templates were given; 1 to " +
+                         std::to_string(most_targets) + " targets can be followed at once.",
+                     "Give --template once for each target."};
+    }
+    if (options.steer < 1 || options.steer > count) {
+        return Error{"There is no target " + std::to_string(options.steer) + " to steer to: " +
+                         std::to_string(count) + (count == 1 ? " was" : " were") + " given.",
+                     "Give --steer the number of one of the --template options."};
+    }
+    return std::nullopt;
+}
+
 Result<Rectangle> chosen_template(const std::string& templ, const Sources& sources) {
     if (templ != "auto") {
         return parse_rectangle(templ);
@@ -189,17 +207,6 @@ Result<Rectangle> chosen_template(const std::string& templ, const Sources& sourc
 // A target for each template, numbered from 1 on.
 Result<std::vector<Rectangle>> chosen_templates(const TrackOptions& options,
                                                 const Sources& sources) {
-    const int count = static_cast<int>(options.templates.size());
-    if (count < 1 || count > most_targets) {
-        return Error{std::to_string(count) + " templates were given; 1 to " +
-                         std::to_string(most_targets) + " targets can be followed at once.",
-                     "Give --template once for each target."};
-    }
-    if (options.steer < 1 || options.steer > count) {
-        return Error{"There is no target " + std::to_string(options.steer) + " to steer to: " +
-                         std::to_string(count) + (count == 1 ? " was" : " were") + " given.",
-                     "Give --steer the number of one of the --template options."};
-    }
     std::vector<Rectangle> rectangles;
     for (const std::string& templ : options.templates) {
         const auto rectangle = chosen_template(templ, sources);
@@ -231,14 +238,7 @@ Result<Done> execute_all(VsystemInterface& system, const std::vector<Command>& c
 }
 
 // The part of the work that has no outcome of its own yet.
-Result<nlohmann::json> track(const TrackOptions& options) {
-    const auto method = parse_method(options.measure, options.transform);
-    if (!method) {
-        return method.error();
-    }
-    if (options.record) {
-        return Error{"Recording a session is not in this version yet.", "Leave --record out."};
-    }
+Result<nlohmann::json> track(const TrackOptions& options, const MatchMethod& method) {
     std::optional<TemporalOptions> temporal;
     if (!options.temporal.empty()) {
         const auto parsed = parse_temporal(options.temporal);
@@ -267,7 +267,7 @@ Result<nlohmann::json> track(const TrackOptions& options) {
         return position_method.error();
     }
     VisionSystemOptions system_options;
-    system_options.tracker.search.method = *method;
+    system_options.tracker.search.method = method;
     system_options.tracker.position.method = *position_method;
     system_options.temporal = temporal;
     system_options.every_frame = sources->every_frame;
@@ -375,11 +375,19 @@ std::string summary_of(const nlohmann::json& report, const TrackOptions& options
 }  // namespace
 
 Outcome run_track(const TrackOptions& options) {
-    const auto report = track(options);
+    const auto failed = [](const Error& error, bool wrong_usage) {
+        return Outcome{error, nlohmann::json{{"error", error.text()}}.dump(2), "", wrong_usage};
+    };
+    const auto method = parse_method(options.measure, options.transform);
+    if (!method) {
+        return failed(method.error(), true);
+    }
+    if (const auto fault = misused(options)) {
+        return failed(*fault, true);
+    }
+    const auto report = track(options, *method);
     if (!report) {
-        Outcome outcome{report.error()};
-        outcome.json = nlohmann::json{{"error", report.error().text()}}.dump(2);
-        return outcome;
+        return failed(report.error(), false);
     }
     return {std::nullopt, report->dump(2), summary_of(*report, options)};
 }
