@@ -135,11 +135,10 @@ Result<Done> check_lens(PanTiltCamera& head, const PanTiltOptions& options) {
     return Error{cause, "Ask again (pan-tilt position); if it stays so, check the line."};
 }
 
-void turn_for(PanTiltCamera& head, double seconds) {
+void wait_for(double seconds) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     while (std::chrono::steady_clock::now() < until && !interrupted()) {
         std::this_thread::sleep_for(look_interval);
-        (void)head.status();  // keeps the line busy, so that what fails is told
     }
 }
 
@@ -185,7 +184,7 @@ Outcome run_pan_tilt(const PanTiltOptions& options) {
     }
     const bool drives = options.action == "drive";
     if (drives && options.seconds) {
-        turn_for(head, *options.seconds);
+        wait_for(*options.seconds);
         if (const auto halted = head.halt(); !halted) {
             return Outcome{halted.error()};
         }

@@ -7,10 +7,10 @@
 
 namespace kambara::cli {
 
-/// One row a station: known and measured place, and the errors before and after the correction.
 /// What it comes to, as a sentence.
 std::string range_verdict_sentence(const RangeExperiment& experiment);
 
+/// One row a station: known and measured place, and the errors before and after the correction.
 std::string range_test_table(const RangeExperiment& experiment);
 
 /// The same as a page: tables, the estimates as 1999's figure 46, and the error against depth,

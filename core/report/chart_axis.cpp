@@ -6,6 +6,14 @@
 
 namespace kambara {
 
+std::vector<double> ChartAxis::marks() const {
+    std::vector<double> all;
+    for (double mark = from; mark < to + 0.5 * step; mark += step) {
+        all.push_back(mark);
+    }
+    return all;
+}
+
 ChartAxis axis_of(double least, double most) {
     if (!(most > least)) {
         const double room = std::max(1e-3, 0.1 * std::abs(least));

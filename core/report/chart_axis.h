@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 namespace kambara {
 
 /// The marks of a chart's axis: 1, 2 or 5 times a power of ten apart, around all of the values.
@@ -12,6 +14,7 @@ struct ChartAxis {
 
     /// Where a value lies, from 0 to 1.
     double share(double value) const { return (value - from) / (to - from); }
+    std::vector<double> marks() const;
 };
 
 /// Where `most` is no more than `least`, one with some room about it.

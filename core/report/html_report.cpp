@@ -216,11 +216,11 @@ void HtmlReport::lines(std::string_view title, std::string_view across, std::str
     body_ += "<svg width=\"" + fixed_text(right + legend_width(series), 0) + "\" height=\"" +
              fixed_text(bottom + 44, 0) + "\" role=\"img\">";
     text("0", "14", " font-weight=\"bold\"", title);
-    for (double mark = 0.0; mark < x_axis.to + 0.5 * x_axis.step; mark += x_axis.step) {
+    for (const double mark : x_axis.marks()) {
         text(x_of(mark), fixed_text(bottom + 16, 1), " text-anchor=\"middle\"",
              fixed_text(mark, x_axis.decimals));
     }
-    for (double mark = 0.0; mark < y_axis.to + 0.5 * y_axis.step; mark += y_axis.step) {
+    for (const double mark : y_axis.marks()) {
         body_ += "<line x1=\"" + fixed_text(square_left, 1) + "\" y1=\"" + y_of(mark) + "\" x2=\"" +
                  fixed_text(right, 1) + "\" y2=\"" + y_of(mark) + "\" stroke=\"#e4e9ee\"/>";
         text(fixed_text(square_left - 8, 1), y_of(mark), " dy=\"4\" text-anchor=\"end\"",

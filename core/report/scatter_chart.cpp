@@ -54,12 +54,12 @@ void HtmlReport::scatter(std::string_view title, std::string_view across, std::s
                  fixed_text(x2, 1) + "\" y2=\"" + fixed_text(y2, 1) + "\" stroke=\"" +
                  (zero ? "#8796a5" : "#e4e9ee") + "\"/>";
     };
-    for (double mark = x_axis.from; mark < x_axis.to + 0.5 * x_axis.step; mark += x_axis.step) {
+    for (const double mark : x_axis.marks()) {
         grid(x_of(mark), top, x_of(mark), bottom, std::abs(mark) < 1e-6 * x_axis.step);
         body_ += text_at(x_of(mark), bottom + 16, " text-anchor=\"middle\"",
                          fixed_text(mark, x_axis.decimals));
     }
-    for (double mark = y_axis.from; mark < y_axis.to + 0.5 * y_axis.step; mark += y_axis.step) {
+    for (const double mark : y_axis.marks()) {
         grid(left, y_of(mark), right, y_of(mark), std::abs(mark) < 1e-6 * y_axis.step);
         body_ += text_at(left - 8, y_of(mark) + 4, " text-anchor=\"end\"",
                          fixed_text(mark, y_axis.decimals));

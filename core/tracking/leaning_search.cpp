@@ -79,7 +79,7 @@ std::optional<PatchMatch> search_leaning(const ReferencePatch& patch, const Rig&
 void settle_slope(const ReferencePatch& patch, const Rig& rig, const Image& right_grey,
                   const PatchSearchOptions& options, PatchMatch& match) {
     const auto fit = fit_from(patch, rig, right_grey, match);
-    if (fit && fit->likeness >= match.likeness * match.likeness_kept &&
+    if (fit && fit->likeness >= match.likeness_in_noise() &&
         leans_otherwise(fit->slope, patch.slope, fit->slope_covariance)) {
         take(*fit, options, match);
     }

@@ -42,6 +42,9 @@ struct PatchMatch {
     std::optional<MeasuredChange> change;
     /// How the target's plane leans, where that was searched for (ReferencePatch::slope).
     std::optional<Eigen::Vector2d> slope;
+
+    /// As the pictures have it, noise included.
+    double likeness_in_noise() const { return likeness * likeness_kept; }
 };
 
 struct PatchSearchOptions {

@@ -253,7 +253,7 @@ void StereoTracker::see_clearness(const PatchMatch& match) {
 
 // So well that no other look could fit better: noise counts, since the mean of many has less.
 bool StereoTracker::fits_well(const PatchMatch& match) const {
-    return match.likeness * match.likeness_kept >= options_.good_enough_likeness;
+    return match.likeness_in_noise() >= options_.good_enough_likeness;
 }
 
 // The first template decides unless a later one fits clearly better.

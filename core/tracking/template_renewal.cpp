@@ -47,14 +47,12 @@ Result<Done> StereoTracker::update_template() {
         return Error{"The target is not in sight, so its template can't be updated.",
                      "Wait until it is tracked, or choose a new template."};
     }
-    const auto cut =
-        cut_anew(*last_frame_, *last_measured_, last_measured_->left.pixel, size_now_px());
+    auto cut = cut_anew(*last_frame_, *last_measured_, last_measured_->left.pixel, size_now_px());
     if (!cut) {
         return cut.error();
     }
-    const Eigen::Vector2d slope = looks_->first().slope_now();
+    cut->slope = looks_->first().slope_now();
     looks_.emplace(*cut);
-    looks_->lean(slope);
     slope_ = {};
     estimate_.template_size_px = cut->size_px;
     describe_size();
@@ -84,17 +82,16 @@ void StereoTracker::learn_slope(const TargetMeasurement& measured, const StereoF
     if (!sure || !range_known_ || !measured.position || slope_.is_settled()) {
         return;
     }
-    const Eigen::Rotation2Dd turned(looks_->first().change.turn_rad);
     ReferencePatch patch{frame.left.picture, measured.left.pixel, measured.left.size_px,
                          measured.point_in_rig_mm};
     patch.slope = looks_->first().slope_now();
     const auto fit =
         fit_plane(patch, rig_, *frame.right.picture, measured.position->point_in_left_mm.norm());
-    const PatchMatch& right = *measured.right;
-    if (!fit || fit->likeness < right.likeness * right.likeness_kept) {
+    if (!fit || fit->likeness < measured.right->likeness_in_noise()) {
         return;
     }
-    const Eigen::Matrix2d back = turned.inverse().toRotationMatrix();
+    const Eigen::Matrix2d back =
+        Eigen::Rotation2Dd(-looks_->first().change.turn_rad).toRotationMatrix();
     slope_.add(back * fit->slope, back * fit->slope_covariance * back.transpose());
     if (const auto slope = slope_.value()) {
         looks_->lean(*slope);
