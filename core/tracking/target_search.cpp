@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "core/tracking/match_pair.h"
 
@@ -117,27 +118,6 @@ bool leaps(const Rig& rig, const TrackerOptions& options, const SearchScope& sco
     return !position || leapt(rig, options, scope, *position);
 }
 
-// Left-right consistency (COR-8): a patch of the right picture, looked for in the left one, is
-// found where it came from. Asked of a new target: one that is followed has its prediction. A match
-// beyond doubt is spared the effort.
-bool leads_back(const Rig& rig, const TrackerOptions& options, const StereoFrame& frame,
-                const PatchMatch& left, const PatchMatch& right,
-                const Eigen::Vector3d& point_in_rig_mm, const ReferencePatch* look) {
-    if (right.quality >= options.sure_quality && !right.slope) {
-        return true;
-    }
-    ReferencePatch patch{frame.right.picture, right.pixel, right.size_px, point_in_rig_mm};
-    patch.slope = right.slope       ? *right.slope
-                  : look != nullptr ? look->slope_now()
-                                    : Eigen::Vector2d::Zero();
-    PatchSearchOptions search = options.search;
-    search.measure_change = false;
-    const int radius_px = static_cast<int>(std::ceil(2.0 * options.back_px));
-    const auto back = search_window(patch, *rig.right, rig.left, *frame.left.picture,
-                                    {point_in_rig_mm, radius_px, 0.0}, search);
-    return !back || (back->pixel - left.pixel).norm() <= options.back_px;  // cut off: not told
-}
-
 // The patch is cut anew from the left picture: both pictures show the same instant, so the two
 // sides differ by the change of view alone, and what the left match may be off by, the right one
 // is off by as well.
@@ -198,6 +178,54 @@ std::optional<PatchMatch> find_right(const Rig& rig, const TrackerOptions& optio
     return best;
 }
 
+// Left-right consistency (COR-8): a patch of the right picture, looked for in the left one, is
+// found where it came from. A match beyond doubt is spared the effort.
+bool leads_back(const Rig& rig, const TrackerOptions& options, const ReferencePatch* look,
+                const StereoFrame& frame, const PatchMatch& left, const PatchMatch& right) {
+    if (right.quality >= options.sure_quality && !right.slope) {
+        return true;
+    }
+    const auto position = position_from_pair(rig, pair_of(rig, left, right), options.position);
+    if (!position) {
+        return true;  // refused for that
+    }
+    const Eigen::Vector3d point_in_rig_mm =
+        rig.left.T_camera_from_rig.inverse() * position->point_in_left_mm;
+    ReferencePatch patch{frame.right.picture, right.pixel, right.size_px, point_in_rig_mm};
+    patch.slope = right.slope       ? *right.slope
+                  : look != nullptr ? look->slope_now()
+                                    : Eigen::Vector2d::Zero();
+    PatchSearchOptions search = options.search;
+    search.measure_change = false;
+    const int radius_px = static_cast<int>(std::ceil(2.0 * options.back_px));
+    const auto back = search_window(patch, *rig.right, rig.left, *frame.left.picture,
+                                    {point_in_rig_mm, radius_px, 0.0}, search);
+    return !back || (back->pixel - left.pixel).norm() <= options.back_px;  // cut off: not told
+}
+
+struct RightMatch {
+    std::optional<PatchMatch> match;
+    bool leads_back = true;
+};
+
+// What was found near the expected distance and does not lead back was taken for the target: it is
+// looked for at all distances.
+RightMatch find_right_and_back(const Rig& rig, const TrackerOptions& options,
+                               const ReferencePatch* look, const StereoFrame& frame,
+                               const PatchMatch& left, SearchScope scope) {
+    RightMatch found;
+    for (;;) {
+        found.match = find_right(rig, options, look, frame, left, scope);
+        found.leads_back = !found.match || says_nothing(options, *found.match) ||
+                           leads_back(rig, options, look, frame, left, *found.match);
+        if (found.leads_back || !scope.range_known) {
+            return found;
+        }
+        scope.range_known = false;
+        scope.try_slopes = false;
+    }
+}
+
 }  // namespace
 
 bool says_nothing(const TrackerOptions& options, const PatchMatch& match) {
@@ -230,7 +258,8 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
             detail->epipolar_px.push_back(sample.right_px);
         }
     }
-    result.right = find_right(rig, options, look, frame, left, scope);
+    RightMatch found = find_right_and_back(rig, options, look, frame, left, scope);
+    result.right = std::move(found.match);
     if (!result.right || says_nothing(options, *result.right)) {
         result.right.reset();
         result.fault = "not found in the right picture";
@@ -247,10 +276,7 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
         result.fault = "no position: " + position.error().cause;
         return result;
     }
-    const Eigen::Vector3d point_in_rig_mm =
-        rig.left.T_camera_from_rig.inverse() * position->point_in_left_mm;
-    if (!scope.range_known &&
-        !leads_back(rig, options, frame, left, *result.right, point_in_rig_mm, look)) {
+    if (!found.leads_back) {
         result.fault = "what was found in the right picture leads back to another place";
         return result;
     }
@@ -259,7 +285,7 @@ TargetMeasurement complete_from_left(const Rig& rig, const TrackerOptions& optio
         return result;
     }
     result.position = *position;
-    result.point_in_rig_mm = point_in_rig_mm;
+    result.point_in_rig_mm = rig.left.T_camera_from_rig.inverse() * position->point_in_left_mm;
     return result;
 }
 
