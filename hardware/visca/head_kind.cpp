@@ -176,7 +176,7 @@ double ZoomModel::horizontal_view_rad(double position) const {
         } else {
             const auto& [z1, f1] = *above;
             const auto& [z0, f0] = *(above - 1);
-            f_mm = f0 + (f1 - f0) * (position - z0) / (z1 - z0);
+            f_mm = f0 * std::pow(f1 / f0, (position - z0) / (z1 - z0));
         }
     }
     return 2.0 * std::atan2(sensor_width_mm, 2.0 * f_mm);

@@ -41,8 +41,9 @@ struct ZoomModel {
     double wide_f_mm = 0.0;
     double tele_f_mm = 0.0;
     double sensor_width_mm = 0.0;
-    /// Positions and focal lengths, measured; empty: f = wide (tele/wide)^(position/end), which is
-    /// a placeholder that only the ends are known of.
+    /// Positions and focal lengths, measured, between which the focal length's logarithm is
+    /// straight; empty: f = wide (tele/wide)^(position/end), a placeholder that only the ends are
+    /// known of.
     std::vector<std::pair<double, double>> curve = {};
     bool operator==(const ZoomModel&) const = default;
 
@@ -75,6 +76,9 @@ const std::vector<HeadKind>& built_in_heads();
 /// Such a table from text or a file. Refuses, naming the key at fault. Any bytes are safe to pass.
 Result<std::vector<HeadKind>> heads_from_text(std::string_view text);
 Result<std::vector<HeadKind>> read_heads_file(const std::filesystem::path& path);
+
+/// A table as heads_from_text reads it back.
+std::string heads_to_text(const std::vector<HeadKind>& heads);
 
 std::optional<HeadKind> find_head(const std::vector<HeadKind>& heads, int model);
 std::optional<HeadKind> find_head(const std::vector<HeadKind>& heads, std::string_view name);

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "hardware/visca/built_in_heads.h"
+#include "hardware/visca/measured_zoom.h"
 #include "hardware/visca/position_estimate.h"
 
 namespace kambara::visca {
@@ -46,6 +47,37 @@ TEST(HeadKind, TheTableHoldsWhatTheManualsSay) {
     EXPECT_EQ(find_head(built_in_heads(), 0x402)->name, "evi-d30");
     EXPECT_EQ(find_head(built_in_heads(), 0x50D)->name, "evi-d80");
     EXPECT_FALSE(find_head(built_in_heads(), 0x999).has_value());
+}
+
+TEST(HeadKind, AWrittenTableIsReadBackAsItWas) {
+    std::vector<HeadKind> heads = built_in_heads();
+    heads[0].zoom.curve = {{0.0, 5.4}, {512.0, 17.123456}, {1023.0, 64.8}};
+    const auto read = heads_from_text(heads_to_text(heads));
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(*read, heads);
+}
+
+TEST(HeadKind, AMeasuredZoomTakesThePlaceOfWhatWasAssumed) {
+    const auto measured =
+        with_measured_zoom(head("evi-d30"), {{0.0, 1.0}, {0.5, 2.0}, {1.0, 11.5}});
+    ASSERT_TRUE(measured) << measured.error().text();
+    const auto widths = [&](double position) {
+        return std::tan(0.5 * measured->zoom.horizontal_view_rad(0.0)) /
+               std::tan(0.5 * measured->zoom.horizontal_view_rad(position));
+    };
+    EXPECT_NEAR(widths(512.0), 2.0, 1e-9);
+    EXPECT_NEAR(widths(1023.0), 11.5, 1e-9);
+    EXPECT_NEAR(widths(256.0), std::sqrt(2.0), 1e-9) << "straight in the logarithm";
+    EXPECT_NEAR(measured->zoom.tele_f_mm, 5.4 * 11.5, 1e-9);
+}
+
+TEST(HeadKind, AnUnknownLensMustBeToldForItsMeasuredZoom) {
+    EXPECT_FALSE(with_measured_zoom(head("evi-d70"), {{0.0, 1.0}, {1.0, 18.0}}));
+    const auto told =
+        with_measured_zoom(head("evi-d70"), {{0.0, 1.0}, {1.0, 18.0}}, WidestLens{4.1, 3.2});
+    ASSERT_TRUE(told);
+    EXPECT_NEAR(told->zoom.horizontal_view_rad(0.0), 2.0 * std::atan2(3.2, 8.2), 1e-12);
+    EXPECT_NEAR(told->zoom.tele_f_mm, 4.1 * 18.0, 1e-9);
 }
 
 TEST(HeadKind, TheDocumentedExampleIsTheEviD30) {
