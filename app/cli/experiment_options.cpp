@@ -76,4 +76,24 @@ CLI::App* add_calibrate_head(CLI::App& app, CalibrateHeadOptions& o) {
     return c;
 }
 
+CLI::App* add_calibrate_zoom(CLI::App& app, CalibrateZoomOptions& o) {
+    CLI::App* c = app.add_subcommand(
+        "calibrate-zoom",
+        "How much larger a head's lens shows things at each place of its zoom, from pictures of a "
+        "scene at rest");
+    c->add_option("--rig", o.rig, "Rig file with the pan-tilt camera, calibrated at its widest")
+        ->required();
+    c->add_option("--views", o.views,
+                  "Table with columns pan_tilt (pictures) and zoom_share (0 wide to 1 tele, as "
+                  "pan-tilt tells it); from one to the next at most a half larger")
+        ->required();
+    c->add_option("--head", o.head, "The kind of head, a name of the table")->capture_default_str();
+    c->add_option("--heads", o.heads, "Table of heads; the one that is built in where not given");
+    c->add_option("--widest", o.widest,
+                  "F,WIDTH: focal length at the widest and the sensor's width, mm, where the table "
+                  "does not know them");
+    c->add_option("--out", o.out, "Table of heads to write, with the curve")->required();
+    return c;
+}
+
 }  // namespace kambara::cli

@@ -301,7 +301,7 @@ void add_heads(CLI::App& app, Chosen& chosen, PanTiltOptions& p, SimulateEviOpti
 }
 
 void add_experiments(CLI::App& app, Chosen& chosen, RangeTestOptions& r, LevelOptions& l,
-                     CalibrateHeadOptions& h) {
+                     CalibrateHeadOptions& h, CalibrateZoomOptions& z) {
     CLI::App* c = add_range_test(app, r);
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&r] { return run_range_test(r); }; });
@@ -311,6 +311,9 @@ void add_experiments(CLI::App& app, Chosen& chosen, RangeTestOptions& r, LevelOp
     c = add_calibrate_head(app, h);
     add_json(*c, chosen);
     c->callback([&] { chosen.run = [&h] { return run_calibrate_head(h); }; });
+    c = add_calibrate_zoom(app, z);
+    add_json(*c, chosen);
+    c->callback([&] { chosen.run = [&z] { return run_calibrate_zoom(z); }; });
 }
 
 void add_compare(CLI::App& app, Chosen& chosen, CompareOptions& o) {
@@ -419,6 +422,7 @@ int main(int argc, char** argv) {
     RangeTestOptions range_test;
     LevelOptions level;
     CalibrateHeadOptions calibrate_head;
+    CalibrateZoomOptions calibrate_zoom;
     add_calibrate(app, chosen, calibrate);
     add_calibrate_points(app, chosen, calibrate_points);
     add_calibration_statistics(app, chosen, calibration_statistics);
@@ -433,7 +437,7 @@ int main(int argc, char** argv) {
     add_bench(app, chosen, bench);
     add_compare(app, chosen, compare);
     add_heads(app, chosen, pan_tilt, simulate_evi);
-    add_experiments(app, chosen, range_test, level, calibrate_head);
+    add_experiments(app, chosen, range_test, level, calibrate_head, calibrate_zoom);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
