@@ -1179,6 +1179,42 @@
         <source>Check the known places, their frame and their unit, and that the target that was followed stood there; or give the baseline measured by tape.</source>
         <translation>Prüfen Sie die bekannten Orte, ihr Koordinatensystem und ihre Einheit, und ob das verfolgte Ziel dort stand; oder geben Sie die mit dem Bandmaß gemessene Basislänge an.</translation>
     </message>
+    <message>
+        <source>From zoom %1 to %2 the %3 points found again fit no zoom.</source>
+        <translation>Von Zoom %1 bis %2 passen die %3 wiedergefundenen Punkte zu keinem Zoom.</translation>
+    </message>
+    <message>
+        <source>From zoom %1 to %2 only %3 points are found again.</source>
+        <translation>Von Zoom %1 bis %2 sind nur %3 Punkte wiedergefunden.</translation>
+    </message>
+    <message>
+        <source>Take more views between these, of a scene at rest with much detail, in focus, the head at rest as well.</source>
+        <translation>Nehmen Sie mehr Ansichten dazwischen auf, von einer ruhenden, scharfen Szene mit vielen Einzelheiten, auch der Kopf in Ruhe.</translation>
+    </message>
+    <message>
+        <source>The view at zoom %1 has %2 x %3 pixels, the camera %4 x %5.</source>
+        <translation>Die Ansicht bei Zoom %1 hat %2 x %3 Bildpunkte, die Kamera %4 x %5.</translation>
+    </message>
+    <message>
+        <source>Use the rig file of the camera that took the views.</source>
+        <translation>Nehmen Sie die Kalibrierdatei der Kamera, die die Ansichten aufnahm.</translation>
+    </message>
+    <message>
+        <source>Two views are at the same zoom, %1.</source>
+        <translation>Zwei Ansichten stehen bei demselben Zoom, %1.</translation>
+    </message>
+    <message>
+        <source>Leave one of them out.</source>
+        <translation>Lassen Sie eine davon weg.</translation>
+    </message>
+    <message>
+        <source>The lens of the head &quot;%1&quot; at its widest is not known.</source>
+        <translation>Das Objektiv des Kopfes "%1" in weitester Stellung ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Tell its focal length and its sensor&apos;s width, mm (--widest F,WIDTH).</source>
+        <translation>Nennen Sie seine Brennweite und die Breite des Sensors, mm (--widest F,WIDTH).</translation>
+    </message>
 </context>
 <context>
     <name>kambara::CommandLine</name>
@@ -3711,6 +3747,161 @@ Alles andere läuft. Für die Ansicht einen Grafiktreiber installieren oder das 
     <message>
         <source>Shows every key and what it does</source>
         <translation>Zeigt jede Taste und was sie tut</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom calibration…</source>
+        <translation>&amp;Zoom kalibrieren …</translation>
+    </message>
+    <message>
+        <source>Measures how much the head&apos;s lens enlarges</source>
+        <translation>Misst, wie stark das Objektiv des Kopfes vergrößert</translation>
+    </message>
+</context>
+<context>
+    <name>kambara::ui::ZoomWindow</name>
+    <message>
+        <source>Zoom calibration</source>
+        <translation>Zoomkalibrierung</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>enlarges</source>
+        <translation>vergrößert</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>by the head&apos;s table</source>
+        <translation>laut Tabelle des Kopfes</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>Places of the zoom</source>
+        <translation>Stellen des Zooms</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.
+
+Turn the head to a scene at rest with much detail, some metres away, and go through the zoom: the lens goes from wide to tele by itself, and from each picture to the next it is measured how much larger things have become.
+
+What a maker&apos;s table says between the ends of a zoom is seldom known; this is what this head does.</source>
+        <translation>Noch ist nichts gemessen.
+
+Richten Sie den Kopf auf eine ruhende Szene mit vielen Einzelheiten, einige Meter entfernt, und fahren Sie den Zoom durch: Das Objektiv geht von selbst von Weitwinkel zu Tele, und von jedem Bild zum nächsten wird gemessen, um wie viel größer die Dinge geworden sind.
+
+Was die Tabelle eines Herstellers zwischen den Enden eines Zooms sagt, ist selten bekannt; dies ist, was dieser Kopf tut.</translation>
+    </message>
+    <message>
+        <source>&amp;Kind of head</source>
+        <translation>&amp;Art des Kopfes</translation>
+    </message>
+    <message>
+        <source>Table of &amp;heads</source>
+        <translation>Tabelle der &amp;Köpfe</translation>
+    </message>
+    <message>
+        <source>&amp;Save table</source>
+        <translation>Tabelle &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Tables of heads (*.yaml)</source>
+        <translation>Tabellen der Köpfe (*.yaml)</translation>
+    </message>
+    <message>
+        <source>Another source was opened: it ended.</source>
+        <translation>Eine andere Quelle wurde geöffnet: Die Messung ist beendet.</translation>
+    </message>
+    <message>
+        <source>No source is open: open one in the main window.</source>
+        <translation>Keine Quelle ist offen: Öffnen Sie eine im Hauptfenster.</translation>
+    </message>
+    <message>
+        <source>The rig in use holds no pan-tilt camera: calibrate it first, at its widest (Calibration &gt; Calibrate).</source>
+        <translation>Die benutzte Anlage hat keine Schwenkkamera: Kalibrieren Sie sie zuerst, in weitester Stellung (Kalibrierung &gt; Kalibrieren).</translation>
+    </message>
+    <message>
+        <source>This source has no head that zooms.</source>
+        <translation>Diese Quelle hat keinen Kopf, der zoomt.</translation>
+    </message>
+    <message>
+        <source>The head has not told its zoom yet.</source>
+        <translation>Der Kopf hat seinen Zoom noch nicht gemeldet.</translation>
+    </message>
+    <message>
+        <source>The head&apos;s camera delivers no pictures.</source>
+        <translation>Die Kamera des Kopfes liefert keine Bilder.</translation>
+    </message>
+    <message>
+        <source>Measure anew</source>
+        <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>The lens goes from wide to tele. Keep the head and what it looks at still.</source>
+        <translation>Das Objektiv fährt von Weitwinkel zu Tele. Halten Sie den Kopf und das, was er ansieht, still.</translation>
+    </message>
+    <message>
+        <source>The lens is at zoom %1.</source>
+        <translation>Das Objektiv steht bei Zoom %1.</translation>
+    </message>
+    <message>
+        <source>Place %1 of %2.</source>
+        <translation>Stelle %1 von %2.</translation>
+    </message>
+    <message>
+        <source>The head was turned meanwhile. Keep it still, and begin again.</source>
+        <translation>Der Kopf wurde währenddessen gedreht. Halten Sie ihn still und beginnen Sie von vorn.</translation>
+    </message>
+    <message>
+        <source>No new picture came for 15 seconds. Check the head&apos;s camera.</source>
+        <translation>Seit 15 Sekunden kam kein neues Bild. Prüfen Sie die Kamera des Kopfes.</translation>
+    </message>
+    <message>
+        <source>The lens did not get to zoom %1 within 15 seconds. Check the head&apos;s line, then begin again.</source>
+        <translation>Das Objektiv kam innerhalb von 15 Sekunden nicht zu Zoom %1. Prüfen Sie die Leitung des Kopfes und beginnen Sie von vorn.</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Wird gemessen …</translation>
+    </message>
+    <message>
+        <source>The lens enlarges up to %1 times. The head did not know.</source>
+        <translation>Das Objektiv vergrößert bis %1-fach. Der Kopf wusste es nicht.</translation>
+    </message>
+    <message>
+        <source>The lens enlarges up to %1 times. What the head&apos;s table says is off by %2 at most.</source>
+        <translation>Das Objektiv vergrößert bis %1-fach. Was die Tabelle des Kopfes sagt, ist um höchstens %2 falsch.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Go through the zoom</source>
+        <translation>Zoom &amp;durchfahren</translation>
+    </message>
+    <message>
+        <source>Go through the zoom first: there is no curve.</source>
+        <translation>Fahren Sie zuerst den Zoom durch: Es gibt keine Kurve.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. Name it in the head&apos;s address to use it: heads=%1</source>
+        <translation>Gespeichert: %1. Nennen Sie sie in der Adresse des Kopfes, um sie zu benutzen: heads=%1</translation>
+    </message>
+    <message>
+        <source>The zoom&apos;s curve that was measured has not been saved.</source>
+        <translation>Die gemessene Kurve des Zooms ist nicht gespeichert.</translation>
     </message>
 </context>
 </TS>

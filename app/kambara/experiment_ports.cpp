@@ -4,7 +4,9 @@
 #include "app/cli/calibrate_head_command.h"
 #include "app/cli/named_table.h"
 #include "app/cli/range_test_page.h"
+#include "core/base/text_file.h"
 #include "hardware/media/picture_file.h"
+#include "hardware/visca/measured_zoom.h"
 
 namespace kambara {
 namespace {
@@ -40,6 +42,21 @@ Result<ui::HeadRecordRead> head_record(const std::filesystem::path& file, const 
     return read;
 }
 
+Result<Done> write_heads(const std::filesystem::path& file, const std::string& name,
+                         const std::vector<std::pair<double, double>>& curve) {
+    std::vector<visca::HeadKind> heads = visca::built_in_heads();
+    for (visca::HeadKind& kind : heads) {
+        if (kind.name == name) {
+            const auto measured = visca::with_measured_zoom(kind, curve);
+            if (!measured) {
+                return measured.error();
+            }
+            kind = *measured;
+        }
+    }
+    return write_text_file_atomically(file, visca::heads_to_text(heads));
+}
+
 }  // namespace
 
 ui::ExperimentPorts experiment_ports() {
@@ -49,6 +66,10 @@ ui::ExperimentPorts experiment_ports() {
     ports.range_page = cli::range_test_page;
     ports.read_head_record = head_record;
     ports.write_picture = write_picture;
+    for (const visca::HeadKind& kind : visca::built_in_heads()) {
+        ports.head_kinds.push_back(kind.name);
+    }
+    ports.write_heads = write_heads;
     return ports;
 }
 

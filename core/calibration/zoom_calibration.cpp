@@ -20,6 +20,7 @@ namespace {
 constexpr int most_points = 400;
 constexpr double corner_quality = 0.01;  // of the best corner's
 constexpr double apart_px = 9.0;
+constexpr int window_px = 21;
 constexpr int reach_levels = 4;  // of the pyramid: some 100 px
 constexpr double there_and_back_px = 0.5;
 constexpr double inlier_px = 2.0;  // of a similarity, before the lens is thought of
@@ -100,7 +101,7 @@ std::vector<Seen> follow(const cv::Mat& drawn, const cv::Mat& part, const cv::Ma
     std::vector<cv::Point2f> back;
     std::vector<std::uint8_t> found;
     std::vector<std::uint8_t> found_back;
-    const cv::Size window(21, 21);
+    const cv::Size window(window_px, window_px);
     const cv::TermCriteria until(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.001);
     cv::calcOpticalFlowPyrLK(drawn, next, from, to, found, cv::noArray(), window, reach_levels,
                              until);
@@ -147,6 +148,19 @@ Residuals residuals_of(const Lens& lens, const std::vector<Eigen::Vector3d>& dir
         }
     }
     return r;
+}
+
+// By how much the noise of windows that overlap is more than that of as many apart.
+double shared_noise(const std::vector<Seen>& seen) {
+    const auto overlap = [](double apart) { return std::max(0.0, 1.0 - apart / window_px); };
+    double sum = 0.0;
+    for (const Seen& a : seen) {
+        for (const Seen& b : seen) {
+            const Eigen::Vector2d apart = (a.drawn_px - b.drawn_px).cwiseAbs();
+            sum += overlap(apart.x()) * overlap(apart.y());
+        }
+    }
+    return sum / static_cast<double>(seen.size());
 }
 
 double median_length(const Residuals& r) {
@@ -211,7 +225,7 @@ std::optional<Step> fit(const Lens& lens, const std::vector<Seen>& all, double g
         }
         x += change;
         step.rms_px = std::sqrt(squares / weights);
-        const double variance = squares / std::max(1.0, 2.0 * weights - 4.0);
+        const double variance = shared_noise(seen) * squares / std::max(1.0, 2.0 * weights - 4.0);
         step.log_sigma = std::sqrt(variance * solver.solve(Eigen::Vector4d::Unit(0)).x());
         if (std::abs(change[0]) < settled && change.tail<3>().norm() < settled) {
             break;
@@ -304,7 +318,8 @@ Result<std::vector<ZoomPlace>> calibrate_zoom(const Camera& camera, std::vector<
     for (std::size_t i = 1; i < views.size(); ++i) {
         const double from = places.back().magnification;
         const auto step = best_step(camera.lens, *views[i - 1].grey, from, *views[i].grey, options);
-        if (!step || step->points < options.least_points || step->rms_px > options.largest_rms_px) {
+        if (!step || step->points < options.least_points ||
+            step->log_sigma > options.largest_sigma || step->rms_px > options.largest_rms_px) {
             const std::string found = std::to_string(step ? step->points : 0);
             const bool enough = step && step->points >= options.least_points;
             return Error{"From zoom " + share_text(views[i - 1].zoom_share) + " to " +

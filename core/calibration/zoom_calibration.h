@@ -28,7 +28,8 @@ struct ZoomCalibrationOptions {
     double widest_share =
         0.01;               ///< at most: where the camera's own calibration stands for the view
     int least_points = 20;  ///< of a step
-    double largest_rms_px = 0.6;
+    double largest_rms_px = 2.0;
+    double largest_sigma = 0.003;  ///< of a step's magnification, as a share of it
     /// By so much may a picture be larger or smaller than the one before.
     double largest_step = 1.6;
 };

@@ -104,6 +104,8 @@ int main(int argc, char** argv) {
                 form(file, "rangeExperiment", "rangeWindow");
             } else if (state.endsWith(QLatin1String("head"))) {
                 form(file, "calibrateHead", "headWindow");
+            } else if (state.endsWith(QLatin1String("zoom"))) {
+                form(file, "calibrateZoom", "zoomWindow");
             } else {
                 simulated(file, state != QLatin1String("no-gl"));
             }

@@ -72,6 +72,18 @@ constexpr std::array phrases{
     QT_TRANSLATE_NOOP("core", "Line %1 of %2 holds no place."),
     QT_TRANSLATE_NOOP("core", "Give every place three numbers: x_mm, y_mm, z_mm."),
     QT_TRANSLATE_NOOP("core", "Give at least %1."),
+    QT_TRANSLATE_NOOP("core", "From zoom %1 to %2 the %3 points found again fit no zoom."),
+    QT_TRANSLATE_NOOP("core", "From zoom %1 to %2 only %3 points are found again."),
+    QT_TRANSLATE_NOOP("core",
+                      "Take more views between these, of a scene at rest with much detail, in "
+                      "focus, the head at rest as well."),
+    QT_TRANSLATE_NOOP("core", "The view at zoom %1 has %2 x %3 pixels, the camera %4 x %5."),
+    QT_TRANSLATE_NOOP("core", "Use the rig file of the camera that took the views."),
+    QT_TRANSLATE_NOOP("core", "Two views are at the same zoom, %1."),
+    QT_TRANSLATE_NOOP("core", "Leave one of them out."),
+    QT_TRANSLATE_NOOP("core", "The lens of the head \"%1\" at its widest is not known."),
+    QT_TRANSLATE_NOOP("core",
+                      "Tell its focal length and its sensor's width, mm (--widest F,WIDTH)."),
 };
 
 }  // namespace

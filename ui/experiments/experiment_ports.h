@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -35,6 +36,12 @@ struct ExperimentPorts {
     std::function<Result<HeadRecordRead>(const std::filesystem::path&, const Rig&, const Target&)>
         read_head_record;
     std::function<Result<Done>(const std::filesystem::path&, const Image&)> write_picture;
+    /// The kinds of heads that have a table, and that table with the zoom curve of one of them:
+    /// zoom shares, and how much the lens enlarges over its widest.
+    std::vector<std::string> head_kinds;
+    std::function<Result<Done>(const std::filesystem::path&, const std::string& kind,
+                               const std::vector<std::pair<double, double>>& curve)>
+        write_heads;
 };
 
 /// The range experiment's places where the target of the open source is simulated, and the truth

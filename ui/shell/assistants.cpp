@@ -4,6 +4,7 @@
 #include "ui/experiments/head_window.h"
 #include "ui/experiments/levelling_window.h"
 #include "ui/experiments/range_window.h"
+#include "ui/experiments/zoom_window.h"
 
 namespace kambara::ui {
 
@@ -52,6 +53,13 @@ void Assistants::show_head_calibration() {
         });
     }
     show(head_);
+}
+
+void Assistants::show_zoom_calibration() {
+    if (zoom_ == nullptr) {
+        zoom_ = new ZoomWindow(ports_, main_window_);
+    }
+    show(zoom_);
 }
 
 void Assistants::set_source(const Rig& rig, const SimulatedStations& stations,

@@ -18,6 +18,7 @@ class AssistantWindow;
 class HeadWindow;
 class LevellingWindow;
 class RangeWindow;
+class ZoomWindow;
 
 /// The forms of the Tools menu, each made when it is first asked for, and what they are fed with.
 class Assistants : public QObject {
@@ -28,6 +29,7 @@ class Assistants : public QObject {
     void show_levelling();
     void show_range_experiment();
     void show_head_calibration();
+    void show_zoom_calibration();
 
     void set_source(const Rig& rig, const SimulatedStations& stations, const TargetHand& hand,
                     bool simulated);
@@ -54,6 +56,7 @@ class Assistants : public QObject {
     LevellingWindow* levelling_ = nullptr;
     RangeWindow* range_ = nullptr;
     HeadWindow* head_ = nullptr;
+    ZoomWindow* zoom_ = nullptr;
     SnapshotPtr newest_;  // of the source that is open
     Rig rig_;
     SimulatedStations stations_;

@@ -154,6 +154,8 @@ void MainWindow::build_assistants() {
             &Assistants::show_range_experiment);
     connect(actions_->calibrate_head, &QAction::triggered, assistants_,
             &Assistants::show_head_calibration);
+    connect(actions_->calibrate_zoom, &QAction::triggered, assistants_,
+            &Assistants::show_zoom_calibration);
     connect(assistants_, &Assistants::simulation_asked, this, [this](const QString& source) {
         SourceRequest request;
         request.left = source.toStdString();
@@ -189,7 +191,8 @@ void MainWindow::build_menus() {
     add(tr("&Head"),
         {actions_->steer, actions_->servo, actions_->home, actions_->reset_head, actions_->halt});
     add(tr("&Calibration"), {actions_->calibrate});
-    add(tr("Tool&s"), {actions_->level, actions_->range_experiment, actions_->calibrate_head});
+    add(tr("Tool&s"), {actions_->level, actions_->range_experiment, actions_->calibrate_head,
+                       actions_->calibrate_zoom});
     QMenu* view = add(tr("&View"), {actions_->stretch_map});
     view->addSeparator();
     for (QDockWidget* dock : docks_) {

@@ -67,6 +67,8 @@ WindowActions::WindowActions(QWidget* window) : QObject(window) {
     calibrate_head =
         make(tr("&Head calibration\u2026"), QStringLiteral("Ctrl+J"),
              tr("Finds the pan-tilt head's axes, lever arms and backlash"), "calibrateHead");
+    calibrate_zoom = make(tr("&Zoom calibration\u2026"), QStringLiteral("Ctrl+Shift+J"),
+                          tr("Measures how much the head's lens enlarges"), "calibrateZoom");
     stretch_map = make(tr("&Stretch map contrast"), QStringLiteral("M"),
                        tr("Spreads the map's colours over the values it holds"), "stretchMap");
     stretch_map->setCheckable(true);
@@ -138,7 +140,7 @@ void WindowActions::update(const Snapshot* snapshot, bool recording) {
     servo->setChecked(snapshot != nullptr && snapshot->servo && snapshot->servo->on);
     allow(calibrate,
           unless(!over, tr("The source is over: there are no pictures to calibrate from.")));
-    for (QAction* assistant : {level, range_experiment, calibrate_head}) {
+    for (QAction* assistant : {level, range_experiment, calibrate_head, calibrate_zoom}) {
         allow(assistant, nothing);
     }
     allow(home, unless(has_head, no_head));

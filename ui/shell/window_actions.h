@@ -40,6 +40,7 @@ class WindowActions : public QObject {
     QAction* level;
     QAction* range_experiment;
     QAction* calibrate_head;
+    QAction* calibrate_zoom;
     QAction* stretch_map;
     QAction* default_layout;
     QAction* keys;

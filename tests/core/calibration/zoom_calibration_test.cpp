@@ -80,7 +80,8 @@ TEST(ZoomCalibrationSlow, FindsACurveToAFractionOfAThousandth) {
         const double off = (place.magnification - truth) / place.magnification_sigma;
         squares += off * off / static_cast<double>(shares.size() - 1);
     }
-    EXPECT_LT(squares, 9.0);
+    std::printf("squared error by variance: %.2f\n", squares);
+    EXPECT_LT(squares, 6.0);
 }
 
 TEST(ZoomCalibration, RefusesWhatCannotTell) {
