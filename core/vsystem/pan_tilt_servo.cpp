@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/camera/zoom.h"
 #include "core/pointing/aim.h"
 #include "core/pointing/pan_tilt_view.h"
 #include "core/tracking/patch_search.h"
@@ -17,8 +18,8 @@ namespace {
 constexpr int look_radius_px = 64;
 constexpr int pictures_between_checks = 15;
 constexpr int pictures_between_tries = 3;
-constexpr double most_magnified = 0.1;
-constexpr int largest_cut_px = 41;  // larger ones take long
+constexpr double most_magnified = 3.0;  // a look drawn larger has too little detail
+constexpr int largest_cut_px = 41;      // larger ones take long
 constexpr double farthest_from_look_px = 3.0;
 constexpr double assumed_range_mm = 1500.0;
 constexpr double second_ns = 1e9;
@@ -150,9 +151,11 @@ double PanTiltServo::range_mm(const Seen& seen) const {
 // Where the look that the stereo pair follows is seen; it shows the same point of the target.
 std::optional<PatchMatch> PanTiltServo::found_by_look(const Seen& seen) const {
     const ReferencePatch* look = seen.stereo->look();
-    if (look == nullptr || std::abs(seen.magnified - 1.0) > most_magnified) {
-        return std::nullopt;  // at another zoom it looks too different
+    if (look == nullptr || seen.magnified > most_magnified) {
+        return std::nullopt;
     }
+    Camera camera = pan_tilt_camera_at(rig_, seen.angles);
+    camera.lens = zoomed(camera.lens, seen.magnified);
     PatchSearchOptions search = options_.search;
     search.measure_change = false;
     search.transforms = nullptr;
@@ -160,8 +163,7 @@ std::optional<PatchMatch> PanTiltServo::found_by_look(const Seen& seen) const {
                       seen.stereo->estimate().position->point_in_left_mm};
     scope.radius_px = look_radius_px;
     scope.reach_px = look_radius_px;
-    auto match = search_window(*look, rig_.left, pan_tilt_camera_at(rig_, seen.angles),
-                               *seen.grey.picture, scope, search);
+    auto match = search_window(*look, rig_.left, camera, *seen.grey.picture, scope, search);
     const bool sure = match && !match->on_border && match->quality >= options_.found_quality &&
                       match->unrivalled >= options_.unrivalled_quality;
     return sure ? match : std::nullopt;

@@ -146,6 +146,22 @@ TEST(PanTiltServoSlow, ATargetThatMovesIsCentredAsWithARightMount) {
     EXPECT_LE(with.worst, right.worst + 0.3);
 }
 
+// As above through a lens that enlarges twice and four fifths.
+TEST(PanTiltServoSlow, AWrongMountIsMadeUpForZoomedIn) {
+    const std::string profile = "stations?frames=360";
+    const std::vector<Command> zoomed_in{ServoHead{}, ZoomHead{0.41}};
+    const Errors by_pair =
+        errors_of(samples_of({profile, 1.0, {ZoomHead{0.41}}}), settled_on_station);
+    const Errors with = errors_of(samples_of({profile, 1.0, zoomed_in}), settled_on_station);
+    std::printf(
+        "zoomed in 2.8 times, mount 1 degree off, %zu frames: stereo aim alone %.2f degrees off "
+        "(worst %.2f), with the pan-tilt picture %.2f (worst %.2f)\n",
+        with.count, by_pair.mean, by_pair.worst, with.mean, with.worst);
+    EXPECT_GT(with.count, 20U);
+    EXPECT_GT(by_pair.mean, 0.8);
+    EXPECT_LE(with.worst, 0.2);
+}
+
 // The vehicle swings so far that the target leaves the fixed cameras' pictures.
 TEST(PanTiltServoSlow, FollowsAloneWhereTheStereoPairDoesNotSeeTheTarget) {
     const std::string profile = "default?frames=240&turn=72&swing=5";
