@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/matching/match_quality.h"
 #include "core/matching/matcher.h"
 #include "core/matching/peak.h"
 #include "core/matching/search_region.h"
@@ -122,22 +123,13 @@ nlohmann::json json_of(const std::optional<Eigen::Matrix2d>& covariance) {
     return {{c(0, 0), mixed}, {mixed, c(1, 1)}};
 }
 
-Result<Outcome> match(const MatchOptions& options, const MatchSearch& search) {
-    auto method = parse_method(options.measure, options.transform);
-    if (!method) {
-        return method.error();
-    }
-    method->step = search.step;
-    if (options.map) {
-        if (const auto named = check_float_tiff_name(*options.map); !named) {
-            return named.error();
-        }
-    }
-    const auto pictures = read_pictures(options, *method);
+Result<Outcome> match(const MatchOptions& options, const MatchMethod& method,
+                      const MatchSearch& search) {
+    const auto pictures = read_pictures(options, method);
     if (!pictures) {
         return pictures.error();
     }
-    const auto inner = compared_part(pictures->templ, *method);
+    const auto inner = compared_part(pictures->templ, method);
     if (!inner) {
         return inner.error();
     }
@@ -146,7 +138,7 @@ Result<Outcome> match(const MatchOptions& options, const MatchSearch& search) {
     if (!region) {
         return region.error();
     }
-    Matcher matcher(*method);
+    Matcher matcher(method);
     matcher.set_template(pictures->templ, *inner);
     ScoreMap map;
     scores_within(matcher, pictures->image, *region, map);
@@ -154,12 +146,12 @@ Result<Outcome> match(const MatchOptions& options, const MatchSearch& search) {
     if (search.expected_px) {
         expected = *search.expected_px - 0.5 * Eigen::Vector2d(inner->width - 1, inner->height - 1);
     }
-    const auto peak = best_peak(map, method->measure, expected);
+    const auto peak = best_peak(map, method.measure, expected);
     if (!peak) {
         return Error{"Where the search looks, the template does not fit into the picture.",
                      "Look elsewhere, or give a smaller template."};
     }
-    const int margin = margin_px(method->transform);
+    const int margin = margin_px(method.transform);
     if (options.map) {
         if (const auto written = write_map(*options.map, map, *pictures, margin); !written) {
             return written.error();
@@ -168,23 +160,27 @@ Result<Outcome> match(const MatchOptions& options, const MatchSearch& search) {
     const Placed placed = place_of(*peak, *pictures, margin);
     const double likeness = matcher.quality(peak->score);
     const auto second =
-        second_peak(map, method->measure, *peak, apart_px(inner->width, inner->height));
+        second_peak(map, method.measure, *peak, apart_px(inner->width, inner->height));
     const double next = second ? matcher.quality(*second) : 0.0;
     const double ratio = likeness > 0.0 ? std::min(next / likeness, 1.0) : 1.0;
+    const double quality = match_probability(method, match_evidence(matcher, map, *peak));
     Outcome outcome;
     outcome.json = nlohmann::json{{"x_px", placed.centre_px.x()},
                                   {"y_px", placed.centre_px.y()},
                                   {"score", peak->score},
-                                  {"quality", likeness},
+                                  {"quality", quality},
+                                  {"likeness", likeness},
                                   {"second_score", second ? nlohmann::json(*second) : nullptr},
                                   {"peak_ratio", ratio},
                                   {"covariance_px2", json_of(placed.covariance_px2)}}
                        .dump(2);
-    char line[200];
-    std::snprintf(line, sizeof line,
-                  "Centre at (%.2f, %.2f) px, %s %.6g, quality %.3f, next peak %.2f of it\n",
-                  placed.centre_px.x(), placed.centre_px.y(), to_string(method->measure).c_str(),
-                  peak->score, likeness, ratio);
+    char line[240];
+    std::snprintf(
+        line, sizeof line,
+        "Centre at (%.2f, %.2f) px, %s %.6g, likeness %.3f, next peak %.2f of it; right with a "
+        "probability of %.0f %%\n",
+        placed.centre_px.x(), placed.centre_px.y(), to_string(method.measure).c_str(), peak->score,
+        likeness, ratio, 100.0 * quality);
     outcome.summary = line;
     return outcome;
 }
@@ -203,7 +199,17 @@ Outcome run_match(const MatchOptions& options) {
     if (!search) {
         return refused(search.error(), true);
     }
-    auto outcome = match(options, *search);
+    auto method = parse_method(options.measure, options.transform);
+    if (!method) {
+        return refused(method.error(), true);
+    }
+    method->step = search->step;
+    if (options.map) {
+        if (const auto named = check_float_tiff_name(*options.map); !named) {
+            return refused(named.error(), true);
+        }
+    }
+    auto outcome = match(options, *method, *search);
     return outcome ? std::move(*outcome) : refused(outcome.error(), false);
 }
 

@@ -20,9 +20,10 @@ struct MatchOptions {
 };
 
 /// One search of a template picture in another picture. JSON: x_px, y_px (the template's centre,
-/// sub-pixel), score, quality, covariance_px2 (null where the template has no texture in some
-/// direction), second_score (of the best other peak; null where there is none), peak_ratio (the
-/// other peak's quality by this one's, in [0, 1]).
+/// sub-pixel), score, quality (the probability that it is right), likeness (the score in [0, 1]),
+/// covariance_px2 (null where the template has no texture in some direction), second_score (of the
+/// best other peak; null where there is none), peak_ratio (the other peak's likeness by this one's,
+/// in [0, 1]).
 Outcome run_match(const MatchOptions& options);
 
 }  // namespace kambara::cli
