@@ -71,6 +71,15 @@ TransformCache::Entry& TransformCache::entry(Kept& kept, Transform transform) {
     return *kept.entries.back();
 }
 
+// Tiles at the borders are smaller: one picture for each size, so that none is made anew.
+Image& TransformCache::tile(int width, int height, int channels) {
+    const auto same = [&](const Image& one) {
+        return one.width() == width && one.height() == height && one.channels() == channels;
+    };
+    const auto found = std::find_if(tiles_.begin(), tiles_.end(), same);
+    return found != tiles_.end() ? *found : tiles_.emplace_back(width, height, channels);
+}
+
 void TransformCache::complete(const Image& picture, Entry& entry, const Rectangle& region) {
     const Rectangle all = transformable(picture, entry.transform);
     const int across = tiles(picture.width());
@@ -85,11 +94,12 @@ void TransformCache::complete(const Image& picture, Entry& entry, const Rectangl
             const int top = std::max(j * tile_px, all.y);
             const int right = std::min((i + 1) * tile_px, all.x + all.width);
             const int bottom = std::min((j + 1) * tile_px, all.y + all.height);
+            Image& part = tile(right - left, bottom - top, entry.picture.channels());
             transform_region(picture, {left, top, right - left, bottom - top}, entry.transform,
-                             tile_);
+                             part);
             for (int y = top; y < bottom; ++y) {
                 std::memcpy(entry.picture.row(y) + left * entry.picture.channels(),
-                            tile_.row(y - top), tile_.row_bytes());
+                            part.row(y - top), part.row_bytes());
             }
             pixels_ += static_cast<std::int64_t>(right - left) * (bottom - top);
         }

@@ -41,12 +41,13 @@ class TransformCache {
     };
 
     Entry& entry(Kept& kept, Transform transform);
+    Image& tile(int width, int height, int channels);
     void complete(const Image& picture, Entry& entry, const Rectangle& region);
 
     mutable std::mutex mutex_;
     std::vector<Kept> kept_;
     std::int64_t pixels_ = 0;
-    Image tile_;
+    std::vector<Image> tiles_;
 };
 
 }  // namespace kambara
