@@ -1868,6 +1868,22 @@ Für noch bessere Hebelarme versetzen Sie den Zielkörper und fahren sie noch ei
         <source>There are no recorded pictures.</source>
         <translation>Es gibt keine aufgezeichneten Bilder.</translation>
     </message>
+    <message>
+        <source>its own calibration took part; moved most: %1, by %2 of its deviations</source>
+        <translation>ihre eigene Kalibrierung zählte mit; am meisten verschoben: %1, um das %2-Fache seiner Abweichung</translation>
+    </message>
+    <message>
+        <source>held: it does not tell how well it is known</source>
+        <translation>festgehalten: sie sagt nicht, wie genau sie bekannt ist</translation>
+    </message>
+    <message>
+        <source>The rig</source>
+        <translation>Die Anlage</translation>
+    </message>
+    <message>
+        <source>Where its calibration took part, the deviations contain the rig&apos;s own error. It is saved as it is, with the head&apos;s numbers that steer best beside it; calibrate-head --refine-rig writes both as the views correct them.</source>
+        <translation>Wo ihre Kalibrierung mitzählte, enthalten die Abweichungen auch ihren eigenen Fehler. Sie wird gespeichert, wie sie ist, mit den Zahlen des Kopfes, die neben ihr am besten steuern; calibrate-head --refine-rig schreibt beides so, wie die Ansichten es berichtigen.</translation>
+    </message>
 </context>
 <context>
     <name>kambara::ui::HoldPad</name>

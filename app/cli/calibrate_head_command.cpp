@@ -17,7 +17,8 @@
 namespace kambara::cli {
 namespace {
 
-constexpr double worth_saying = 1.15;  // of the RMS with the model: less may be chance
+constexpr double worth_saying = 1.15;   // of the RMS with the model: less may be chance
+constexpr double changed_sigmas = 3.5;  // of the most moved of some twenty numbers
 
 int side_of(const NamedRow& row, const char* column) {
     const auto cell = row.cells.find(column);
@@ -57,7 +58,8 @@ nlohmann::json json_of(const std::vector<RejectedHeadView>& rejected) {
     return json;
 }
 
-nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& rejected) {
+nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& rejected,
+                       bool refined) {
     const HeadModel& model = result.model;
     const Eigen::Vector3d& arm = model.T_camera_from_tilt.t_mm;
     const Eigen::Vector3d& arm_sigma = result.camera_from_tilt_sigma_mm;
@@ -72,6 +74,9 @@ nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& reje
         {"tilt_axis_skew_deg", deg_from_rad(model.tilt_axis_skew_rad)},
         {"camera_from_tilt_mm", {arm.x(), arm.y(), arm.z()}},
         {"camera_from_tilt_sigma_mm", {arm_sigma.x(), arm_sigma.y(), arm_sigma.z()}},
+        {"rig", !result.by_rig ? "held"
+                : refined      ? "refined"
+                               : "prior"},
         {"pan_backlash_deg", nullptr},
         {"tilt_backlash_deg", nullptr}};
     if (result.pan_backlash_seen) {
@@ -82,7 +87,34 @@ nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& reje
         json["tilt_backlash_deg"] = deg_from_rad(model.tilt_backlash_rad);
         json["tilt_backlash_sigma_deg"] = deg_from_rad(result.tilt_backlash_sigma_rad);
     }
+    if (result.pair_rms_px) {
+        json["pair_rms_px"] = *result.pair_rms_px;
+    }
+    if (result.by_rig) {
+        json["rig_most_moved"] = result.by_rig->most_moved;
+        json["rig_most_moved_sigmas"] = result.by_rig->most_moved_sigmas;
+    }
     return json;
+}
+
+// The levers' worth depends on the rig's; what is done with it is never silent.
+std::string about_rig(const HeadCalibration& result, bool refined) {
+    if (!result.by_rig) {
+        return "The rig is held as it is: its file has no calibration_covariance, so its own error "
+               "is in none of the deviations.\n";
+    }
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "Solved with the rig's own calibration: the views move %s most, by %.1f of its "
+                  "deviations%s.\n%s\n",
+                  result.by_rig->most_moved.c_str(), result.by_rig->most_moved_sigmas,
+                  result.by_rig->most_moved_sigmas > changed_sigmas
+                      ? ": the rig has changed since, or its covariance is too narrow"
+                      : "",
+                  refined ? "The rig is written as the views correct it."
+                          : "The rig is written as it was, with the head's numbers that steer best "
+                            "beside it; --refine-rig writes both as the views correct them.");
+    return text;
 }
 
 std::string backlash(const char* axis, bool seen, double rad, double sigma_rad) {
@@ -94,16 +126,20 @@ std::string backlash(const char* axis, bool seen, double rad, double sigma_rad) 
                       ": not measured; give views approached from below and from above.\n";
 }
 
-std::string summary_of(const HeadCalibration& result, std::size_t rejected) {
+std::string summary_of(const HeadCalibration& result, std::size_t rejected, bool refined) {
     const HeadModel& model = result.model;
+    const Eigen::Vector2d off = model.T_camera_from_tilt.centre_mm().tail<2>();
+    // Along the arm, as if y and z erred apart; the camera is hardly turned on it.
+    const double off_sigma_mm =
+        off.normalized().cwiseProduct(result.camera_from_tilt_sigma_mm.tail<2>()).norm();
     char text[400];
     std::snprintf(
         text, sizeof text,
         "%d views (%zu rejected), %d points: RMS %.3f px; %.3f px if the camera turned about its "
-        "own centre.\nThe tilt axis lies %.1f mm ahead of the pan axis, the camera's centre %.1f "
-        "mm off the tilt axis.\n",
+        "own centre.\nThe tilt axis lies %.1f mm ahead of the pan axis (deviation %.2f), the "
+        "camera's centre %.1f mm off the tilt axis (%.2f).\n",
         result.views, rejected, result.points, result.rms_px, result.rms_without_model_px,
-        model.tilt_axis_ahead_mm, model.T_camera_from_tilt.centre_mm().tail<2>().norm());
+        model.tilt_axis_ahead_mm, result.tilt_axis_ahead_sigma_mm, off.norm(), off_sigma_mm);
     std::string worth;
     if (result.rms_without_model_px < worth_saying * result.rms_px) {
         worth = "That hardly differs: the camera may as well turn about its own centre.\n";
@@ -112,7 +148,18 @@ std::string summary_of(const HeadCalibration& result, std::size_t rejected) {
            backlash("pan", result.pan_backlash_seen, model.pan_backlash_rad,
                     result.pan_backlash_sigma_rad) +
            backlash("tilt", result.tilt_backlash_seen, model.tilt_backlash_rad,
-                    result.tilt_backlash_sigma_rad);
+                    result.tilt_backlash_sigma_rad) +
+           about_rig(result, refined);
+}
+
+// What is written: the rig as given with the head's model for it, or both as the views correct it.
+Rig rig_with_head(const Rig& given, const HeadCalibration& result, bool refined) {
+    if (!refined) {
+        return with_head_model(given, result.model_for_given_rig);
+    }
+    Rig rig = result.by_rig->refined;
+    rig.provenance.method += "; refined by " + std::to_string(result.views) + " views of the head";
+    return rig;
 }
 
 }  // namespace
@@ -174,13 +221,18 @@ Outcome run_calibrate_head(const CalibrateHeadOptions& options) {
         }
         return failed(error);
     }
-    if (const auto written = write_rig_file(options.out, with_head_model(*rig, result->model));
+    if (options.refine_rig && !result->by_rig) {
+        return failed({"The rig can't be refined: its file does not tell how well it is known.",
+                       "Calibrate the cameras with this program, or leave out --refine-rig."});
+    }
+    if (const auto written =
+            write_rig_file(options.out, rig_with_head(*rig, *result, options.refine_rig));
         !written) {
         return failed(written.error());
     }
     Outcome outcome;
-    outcome.json = json_of(*result, rejected).dump(2);
-    outcome.summary = summary_of(*result, rejected.size());
+    outcome.json = json_of(*result, rejected, options.refine_rig).dump(2);
+    outcome.summary = summary_of(*result, rejected.size(), options.refine_rig);
     return outcome;
 }
 

@@ -20,6 +20,9 @@ struct CalibrateHeadOptions {
     std::string views;
     std::string target = "two-plane-24";
     std::filesystem::path out;
+    /// Writes the rig as the views correct it, too; else `out` has the rig as given, and the head's
+    /// model that steers best beside it.
+    bool refine_rig = false;
 };
 
 /// A row of a table of head views that can't be used, and why.
@@ -40,9 +43,10 @@ Result<HeadRecord> read_head_record(const std::filesystem::path& file, const Rig
                                     const std::function<void(double share)>& progress);
 
 /// The head's axes, lever arms and backlash, from pictures of a target by all three cameras at
-/// several head positions. The target may move between the views, not within one. JSON: rms_px,
-/// rms_without_model_px, views_used, views_rejected[{line, reason}], points, the model's numbers
-/// and deviations.
+/// several head positions, jointly with the rig where its file has a covariance. The target may
+/// move between the views, not within one. JSON: rms_px, pair_rms_px, rms_without_model_px,
+/// views_used, views_rejected[{line, reason}], points, rig (held, prior or refined),
+/// rig_most_moved, rig_most_moved_sigmas, the model's numbers and deviations.
 Outcome run_calibrate_head(const CalibrateHeadOptions& options);
 
 }  // namespace kambara::cli

@@ -73,6 +73,9 @@ CLI::App* add_calibrate_head(CLI::App& app, CalibrateHeadOptions& o) {
         ->required();
     c->add_option("--target", o.target, "As for calibrate")->capture_default_str();
     c->add_option("--out", o.out, "Rig file to write, with the head's model")->required();
+    c->add_flag("--refine-rig", o.refine_rig,
+                "Write the left and right camera as the views correct them, too; needs a rig file "
+                "with calibration_covariance");
     return c;
 }
 

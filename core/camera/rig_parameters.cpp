@@ -2,6 +2,7 @@
 #include "core/camera/rig_parameters.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,6 +58,24 @@ Eigen::Matrix2Xd pixel_by_lens(const Lens& lens, const Eigen::Vector3d& point_in
             (pixel_of(lens, high, x, y) - pixel_of(lens, low, x, y)) / (high[k] - low[k]);
     }
     return result;
+}
+
+Lens moved(const Lens& lens, const Eigen::VectorXd& by) {
+    if (const auto* brown = std::get_if<BrownLens>(&lens)) {
+        std::vector<double> terms = brown->distortion();
+        for (std::size_t i = 0; i < terms.size(); ++i) {
+            terms[i] += by[4 + static_cast<Eigen::Index>(i)];
+        }
+        return BrownLens(brown->fx_px() + by[0], brown->fy_px() + by[1], brown->cx_px() + by[2],
+                         brown->cy_px() + by[3], terms);
+    }
+    TsaiLens tsai = std::get<TsaiLens>(lens);
+    tsai.f_mm += by[0];
+    tsai.kappa1_per_mm2 += by[1];
+    tsai.cx_px += by[2];
+    tsai.cy_px += by[3];
+    tsai.sx += by[4];
+    return tsai;
 }
 
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
@@ -119,6 +138,23 @@ std::optional<Eigen::Matrix<double, 4, Eigen::Dynamic>> pixels_by_parameters(
     result.block(2, left, 2, right) = pixel_by_lens(rig.right->lens, in_right);
     result.block<2, 3>(2, left + right) = -right_by_point * cross_matrix(turned);
     result.block<2, 3>(2, left + right + 3) = right_by_point;
+    return result;
+}
+
+Rig with_parameters_moved(const Rig& rig, const Eigen::VectorXd& by) {
+    const int left = lens_parameters(rig.left.lens);
+    const int right = lens_parameters(rig.right.value().lens);
+    const RigidTransform T = T_right_from_left(rig);
+    const Eigen::Vector3d turn = by.segment<3>(left + right);
+    const double angle = turn.norm();
+    const Eigen::Matrix3d turned = angle > 0.0
+                                       ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
+                                       : Eigen::Matrix3d::Identity();
+    Rig result = rig;
+    result.left.lens = moved(rig.left.lens, by.head(left));
+    result.right->lens = moved(rig.right->lens, by.segment(left, right));
+    result.right->T_camera_from_rig =
+        RigidTransform{turned * T.R, T.t_mm + by.tail<3>()} * rig.left.T_camera_from_rig;
     return result;
 }
 

@@ -30,10 +30,13 @@ Result<DetectedCorners> corners_in(const Image& picture, const Target& target, c
     return corners;
 }
 
-}  // namespace
+struct PlacedTarget {
+    RigidTransform T_rig_from_target;
+    std::vector<PairSighting> pair;
+};
 
-Result<RigidTransform> target_in_rig(const Rig& rig, const Target& target, const Image& left,
-                                     const Image& right) {
+Result<PlacedTarget> placed_target(const Rig& rig, const Target& target, const Image& left,
+                                   const Image& right) {
     const auto in_left = corners_in(left, target, rig.left, "left");
     if (!in_left) {
         return in_left.error();
@@ -51,6 +54,7 @@ Result<RigidTransform> target_in_rig(const Rig& rig, const Target& target, const
     Eigen::Matrix3Xd known(3, static_cast<Eigen::Index>(in_left->size()));
     Eigen::Matrix3Xd measured = known;
     Eigen::Index count = 0;
+    PlacedTarget placed;
     for (const DetectedCorner& corner : *in_left) {
         const auto other = others.find(corner.id);
         if (other == others.end()) {
@@ -60,6 +64,7 @@ Result<RigidTransform> target_in_rig(const Rig& rig, const Target& target, const
         if (position) {
             known.col(count) = corners[static_cast<std::size_t>(corner.id)];
             measured.col(count) = T_rig_from_left * position->point_in_left_mm;
+            placed.pair.push_back({known.col(count), corner.px, other->second.px});
             ++count;
         }
     }
@@ -70,7 +75,19 @@ Result<RigidTransform> target_in_rig(const Rig& rig, const Target& target, const
     }
     const Eigen::Matrix4d T =
         Eigen::umeyama(known.leftCols(count), measured.leftCols(count), false);
-    return RigidTransform{T.topLeftCorner<3, 3>(), T.topRightCorner<3, 1>()};
+    placed.T_rig_from_target = {T.topLeftCorner<3, 3>(), T.topRightCorner<3, 1>()};
+    for (PairSighting& one : placed.pair) {
+        one.point_in_rig_mm = placed.T_rig_from_target * one.point_in_rig_mm;
+    }
+    return placed;
+}
+
+}  // namespace
+
+Result<RigidTransform> target_in_rig(const Rig& rig, const Target& target, const Image& left,
+                                     const Image& right) {
+    const auto placed = placed_target(rig, target, left, right);
+    return placed ? Result<RigidTransform>(placed->T_rig_from_target) : placed.error();
 }
 
 Result<HeadView> head_view_from(const Rig& rig, const Target& target, const HeadPictures& pictures,
@@ -79,9 +96,9 @@ Result<HeadView> head_view_from(const Rig& rig, const Target& target, const Head
         return Error{"A picture of the three cameras is missing.",
                      "Check that all three deliver pictures."};
     }
-    const auto T_rig_from_target = target_in_rig(rig, target, *pictures.left, *pictures.right);
-    if (!T_rig_from_target) {
-        return T_rig_from_target.error();
+    const auto placed = placed_target(rig, target, *pictures.left, *pictures.right);
+    if (!placed) {
+        return placed.error();
     }
     const auto seen = corners_in(*pictures.pan_tilt, target, rig.pan_tilt.value(), "pan-tilt");
     if (!seen) {
@@ -90,10 +107,11 @@ Result<HeadView> head_view_from(const Rig& rig, const Target& target, const Head
     HeadView view;
     view.encoder = encoder;
     view.approach = approach;
+    view.pair = placed->pair;
     const auto corners = corners_in_target_mm(target);
     for (const DetectedCorner& corner : *seen) {
         view.sightings.push_back(
-            {*T_rig_from_target * corners[static_cast<std::size_t>(corner.id)], corner.px});
+            {placed->T_rig_from_target * corners[static_cast<std::size_t>(corner.id)], corner.px});
     }
     if (view.sightings.size() < least_corners) {
         return Error{"The head's camera sees too few of the target's corners.",

@@ -23,10 +23,10 @@ struct HeadPictures {
 Result<RigidTransform> target_in_rig(const Rig& rig, const Target& target, const Image& left,
                                      const Image& right);
 
-/// A view for calibrate_head(): the places of the target's corners from the fixed cameras, and
-/// where the head's camera sees them while the encoders tell `encoder`. The target and the head
-/// are still. Refuses as above, and where the head's camera sees fewer than eight corners. The rig
-/// must have all three cameras.
+/// A view for calibrate_head(): the places of the target's corners from the fixed cameras, where
+/// these see them, and where the head's camera does while the encoders tell `encoder`. The target
+/// and the head are still. Refuses as above, and where the head's camera sees fewer than eight
+/// corners. The rig must have all three cameras.
 Result<HeadView> head_view_from(const Rig& rig, const Target& target, const HeadPictures& pictures,
                                 const HeadAngles& encoder, const HeadApproach& approach);
 

@@ -13,6 +13,7 @@
 #include "hardware/media/picture_file.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/process.h"
+#include "tests/support/rig_covariance.h"
 
 namespace kambara::cli {
 namespace {
@@ -48,6 +49,7 @@ TEST(CalibrateHeadSlow, PicturesTellTheAxes) {
     const Rig truth = rig_with_head();
     Rig without = truth;
     without.head.reset();
+    without.parameter_covariance = testing_support::some_covariance(without);
     ASSERT_TRUE(write_rig_file(folder / "rig.yaml", without));
     std::string table = "left,right,pan_tilt,pan_deg,tilt_deg,pan_from,tilt_from\n";
     int number = 0;
@@ -85,6 +87,9 @@ TEST(CalibrateHeadSlow, PicturesTellTheAxes) {
     ASSERT_FALSE(outcome.failure) << outcome.failure->text();
     std::printf("%s", outcome.summary.c_str());
     const auto json = nlohmann::json::parse(outcome.json);
+    EXPECT_EQ(json["rig"], "prior");
+    EXPECT_LT(json["pair_rms_px"].get<double>(), 0.5);
+    EXPECT_LT(json["rig_most_moved_sigmas"].get<double>(), 3.5);
     EXPECT_GE(json["views_used"].get<int>(), 10);
     EXPECT_NEAR(json["pan_backlash_deg"].get<double>(), 0.3, 0.03);
     EXPECT_NEAR(json["tilt_backlash_deg"].get<double>(), 0.2, 0.03);
@@ -109,6 +114,18 @@ TEST(CalibrateHeadSlow, PicturesTellTheAxes) {
                 without_deg);
     EXPECT_LT(with_deg, 0.1);
     EXPECT_GT(without_deg, 0.5);
+    // The rig as given stays as it was, unless it is asked for.
+    EXPECT_EQ(found->left.lens, without.left.lens);
+    options.refine_rig = true;
+    const Outcome refined = run_calibrate_head(options);
+    ASSERT_FALSE(refined.failure) << refined.failure->text();
+    EXPECT_EQ(nlohmann::json::parse(refined.json)["rig"], "refined");
+    const auto rig = read_rig_file(options.out);
+    ASSERT_TRUE(rig) << rig.error().text();
+    EXPECT_NE(rig->left.lens, without.left.lens);
+    EXPECT_LT(rig->parameter_covariance.value()(0, 0), (*without.parameter_covariance)(0, 0));
+    ASSERT_TRUE(write_rig_file(options.rig, nominal_rig()));  // which tells no covariance
+    EXPECT_TRUE(run_calibrate_head(options).failure);
     fs::remove_all(folder);
 }
 

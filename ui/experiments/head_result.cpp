@@ -83,9 +83,10 @@ void HeadWindow::solve() {
         [rig = recorded_by_, all = std::move(all), views = std::move(views)] {
             Solved solved{calibrate_head(rig, views), {}};
             for (const auto& view : all) {
-                solved.rms_rad.push_back(view && solved.result
-                                             ? view_rms_rad(rig, solved.result->model, *view)
-                                             : std::nullopt);
+                solved.rms_rad.push_back(
+                    view && solved.result
+                        ? view_rms_rad(rig, solved.result->model_for_given_rig, *view)
+                        : std::nullopt);
             }
             return solved;
         },
@@ -114,8 +115,8 @@ void HeadWindow::show_result() {
     const bool known = result_.has_value();
     save_rig_->allow(known, tr("Solve first: there is no model to save."));
     if (!known) {
-        for (QLabel* label :
-             {rms_, rms_deg_, without_, ahead_, arm_, skew_, pan_backlash_, tilt_backlash_}) {
+        for (QLabel* label : {rms_, rms_deg_, without_, ahead_, arm_, skew_, pan_backlash_,
+                              tilt_backlash_, by_rig_}) {
             label->setText(none);
         }
         verdict_->setText(
@@ -157,6 +158,12 @@ void HeadWindow::show_result() {
         backlash(found.pan_backlash_seen, model.pan_backlash_rad, found.pan_backlash_sigma_rad));
     tilt_backlash_->setText(
         backlash(found.tilt_backlash_seen, model.tilt_backlash_rad, found.tilt_backlash_sigma_rad));
+    by_rig_->setText(found.by_rig
+                         ? tr("its own calibration took part; moved most: %1, by %2 of its "
+                              "deviations")
+                               .arg(QString::fromStdString(found.by_rig->most_moved),
+                                    QLocale().toString(found.by_rig->most_moved_sigmas, 'f', 1))
+                         : tr("held: it does not tell how well it is known"));
 }
 
 void HeadWindow::save_rig(const QString& file) {
@@ -164,9 +171,8 @@ void HeadWindow::save_rig(const QString& file) {
         return;
     }
     background_->run(
-        [rig = with_head_model(recorded_by_, result_->model), path = file.toStdString()] {
-            return write_rig_file(path, rig);
-        },
+        [rig = with_head_model(recorded_by_, result_->model_for_given_rig),
+         path = file.toStdString()] { return write_rig_file(path, rig); },
         [this, file](const Result<Done>& written) {
             if (!written) {
                 say_failure(written.error());

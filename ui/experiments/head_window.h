@@ -128,6 +128,7 @@ class HeadWindow : public AssistantWindow {
     QLabel* skew_;
     QLabel* pan_backlash_;
     QLabel* tilt_backlash_;
+    QLabel* by_rig_;
     SaveRow* save_rig_;
     SaveRow* save_record_;
     Background* background_;

@@ -133,6 +133,10 @@ QWidget* HeadWindow::result_part() {
                         tr("By how much farther the encoder goes than the axis; \u00B1 one "
                            "standard deviation."));
     tilt_backlash_ = row(tr("Backlash of tilt"), "headTiltBacklash", pan_backlash_->toolTip());
+    by_rig_ = row(tr("The rig"), "headRig",
+                  tr("Where its calibration took part, the deviations contain the rig's own error. "
+                     "It is saved as it is, with the head's numbers that steer best beside it; "
+                     "calibrate-head --refine-rig writes both as the views correct them."));
     column->addLayout(form);
     column->addStretch(1);
     return part;

@@ -3,77 +3,25 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <random>
 
 #include "core/camera/rig_parameters.h"
 #include "core/stereo/position.h"
 #include "tests/core/stereo/stereo_samples.h"
+#include "tests/support/rig_covariance.h"
 
 namespace kambara {
 namespace {
 
-Lens changed(const Lens& lens, const Eigen::VectorXd& by) {
-    if (const auto* brown = std::get_if<BrownLens>(&lens)) {
-        std::vector<double> terms = brown->distortion();
-        for (std::size_t i = 0; i < terms.size(); ++i) {
-            terms[i] += by[4 + static_cast<Eigen::Index>(i)];
-        }
-        return BrownLens(brown->fx_px() + by[0], brown->fy_px() + by[1], brown->cx_px() + by[2],
-                         brown->cy_px() + by[3], terms);
-    }
-    TsaiLens tsai = std::get<TsaiLens>(lens);
-    tsai.f_mm += by[0];
-    tsai.kappa1_per_mm2 += by[1];
-    tsai.cx_px += by[2];
-    tsai.cy_px += by[3];
-    tsai.sx += by[4];
-    return tsai;
-}
-
-// The rig whose parameters are off by so much.
+// The rig whose parameters are off by so much, in a frame of its own.
 Rig changed(const Rig& rig, const Eigen::VectorXd& by) {
-    const auto left = static_cast<Eigen::Index>(lens_parameter_names(rig.left.lens).size());
-    const auto right = static_cast<Eigen::Index>(lens_parameter_names(rig.right->lens).size());
-    const RigidTransform T = T_right_from_left(rig);
-    const Eigen::Vector3d turn = by.segment<3>(left + right);
-    const RigidTransform moved{
-        Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * T.R,
-        T.t_mm + by.tail<3>()};
-    Camera a = rig.left;
-    Camera b = *rig.right;
-    a.lens = changed(rig.left.lens, by.head(left));
-    b.lens = changed(rig.right->lens, by.segment(left, right));
-    return rig_from_pair(a, b, moved);
-}
-
-// A correlated covariance with deviations such as calibrations leave.
-Eigen::MatrixXd some_covariance(const Rig& rig) {
-    const auto names = rig_parameter_names(rig);
-    const auto n = static_cast<Eigen::Index>(names.size());
-    Eigen::VectorXd sigma(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const std::string& name = names[static_cast<std::size_t>(i)];
-        sigma[i] = name.ends_with("_px")    ? 0.2
-                   : name.ends_with("_rad") ? 2e-4
-                   : name.ends_with("shift_x_mm") || name.ends_with("shift_y_mm") ||
-                           name.ends_with("shift_z_mm")
-                       ? 0.2
-                       : 3e-4;
-    }
-    std::mt19937 random(3);
-    std::normal_distribution<double> normal;
-    const Eigen::MatrixXd mix =
-        Eigen::MatrixXd::NullaryExpr(n, 2 * n, [&] { return normal(random); });
-    Eigen::MatrixXd correlation = mix * mix.transpose();
-    const Eigen::VectorXd scale = correlation.diagonal().cwiseSqrt().cwiseInverse();
-    correlation = scale.asDiagonal() * correlation * scale.asDiagonal();
-    return sigma.asDiagonal() * correlation * sigma.asDiagonal();
+    const Rig moved = with_parameters_moved(rig, by);
+    return rig_from_pair(moved.left, *moved.right, T_right_from_left(moved));
 }
 
 TEST(CalibrationCovariance, IsKeptApartAndMatchesTheScatterOfRigsDrawnFromIt) {
     for (Rig rig : rig_samples()) {
-        rig.parameter_covariance = some_covariance(rig);
+        rig.parameter_covariance = testing_support::some_covariance(rig);
         ASSERT_EQ(covariance_fault(rig, *rig.parameter_covariance), "");
         const Eigen::MatrixXd L = rig.parameter_covariance->llt().matrixL();
         for (const Eigen::Vector3d& place :
@@ -109,7 +57,7 @@ TEST(CalibrationCovariance, IsKeptApartAndMatchesTheScatterOfRigsDrawnFromIt) {
 
 TEST(CalibrationCovariance, FollowsThePicturesSize) {
     Rig rig = nominal_rig();
-    rig.parameter_covariance = some_covariance(rig);
+    rig.parameter_covariance = testing_support::some_covariance(rig);
     const Rig half = scaled_to(rig, 320, 240);
     const SeenPoint point = seen(rig, {200, 50, 1500});
     const SeenPoint point_in_half = seen(half, {200, 50, 1500});
