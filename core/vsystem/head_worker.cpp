@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/pointing/aim.h"
+
 namespace kambara {
 namespace {
 
@@ -39,6 +41,30 @@ HeadWorker::~HeadWorker() {
     if (driven_ || halt_waits_) {
         stop_moving();
     }
+}
+
+void HeadWorker::use_backlash(const HeadAngles& backlash) {
+    std::lock_guard lock(mutex_);
+    axes_ = HeadAxes(backlash);
+    axes_.see(status_.angles);
+}
+
+HeadAngles HeadWorker::encoders_for(const HeadAngles& axes) {
+    if (threading_ == Threading::inline_calls) {
+        poll();
+    }
+    std::lock_guard lock(mutex_);
+    return within_limits(axes_.encoders_for(axes), limits_);
+}
+
+HeadAngles HeadWorker::axes_at(const HeadAngles& encoders) {
+    std::lock_guard lock(mutex_);
+    return axes_.at(encoders);
+}
+
+bool HeadWorker::astray(const HeadAngles& axes) {
+    std::lock_guard lock(mutex_);
+    return axes_.astray(axes);
 }
 
 void HeadWorker::command(const HeadAngles& angles, bool by_hand) {
@@ -123,7 +149,8 @@ HeadWorker::Reading HeadWorker::reading() {
         poll();
     }
     std::lock_guard lock(mutex_);
-    return {status_, status_fault_.empty() ? move_fault_ : status_fault_, lens_, abilities_};
+    return {status_, axes_.at(status_.angles), status_fault_.empty() ? move_fault_ : status_fault_,
+            lens_, abilities_};
 }
 
 std::vector<HeadNote> HeadWorker::take_notes() {
@@ -248,7 +275,8 @@ void HeadWorker::poll() {
     status_fault_ = status ? std::string() : status.error().text();
     if (status) {
         status_ = *status;
-        past_.push_back({now_ns, status->angles});
+        axes_.see(status->angles);
+        past_.push_back({now_ns, axes_.at(status->angles)});
         while (past_.front().time_ns < now_ns - kept_ns) {
             past_.pop_front();
         }
@@ -257,7 +285,7 @@ void HeadWorker::poll() {
     abilities_ = abilities;
 }
 
-std::optional<HeadAngles> HeadWorker::angles_at(std::int64_t time_ns) {
+std::optional<HeadAngles> HeadWorker::axes_when(std::int64_t time_ns) {
     if (threading_ == Threading::inline_calls) {
         poll();
     }
@@ -266,7 +294,7 @@ std::optional<HeadAngles> HeadWorker::angles_at(std::int64_t time_ns) {
         return std::nullopt;
     }
     if (threading_ == Threading::inline_calls || time_ns >= past_.back().time_ns) {
-        return past_.back().angles;
+        return past_.back().axes;
     }
     for (std::size_t i = past_.size() - 1; i > 0; --i) {
         const Past& a = past_[i - 1];
@@ -275,11 +303,11 @@ std::optional<HeadAngles> HeadWorker::angles_at(std::int64_t time_ns) {
             const double share =
                 static_cast<double>(time_ns - a.time_ns) /
                 static_cast<double>(std::max<std::int64_t>(1, b.time_ns - a.time_ns));
-            return HeadAngles{a.angles.pan_rad + share * (b.angles.pan_rad - a.angles.pan_rad),
-                              a.angles.tilt_rad + share * (b.angles.tilt_rad - a.angles.tilt_rad)};
+            return HeadAngles{a.axes.pan_rad + share * (b.axes.pan_rad - a.axes.pan_rad),
+                              a.axes.tilt_rad + share * (b.axes.tilt_rad - a.axes.tilt_rad)};
         }
     }
-    return past_.front().angles;
+    return past_.front().axes;
 }
 
 }  // namespace kambara

@@ -14,6 +14,7 @@
 
 #include "core/base/clock.h"
 #include "core/devices/pan_tilt_camera.h"
+#include "core/pointing/head_axes.h"
 #include "core/vsystem/command.h"
 
 namespace kambara {
@@ -31,7 +32,8 @@ class HeadWorker {
     };
 
     struct Reading {
-        HeadStatus status;
+        HeadStatus status;  ///< of the encoders, as the head tells it
+        HeadAngles axes;    ///< where the axes are: behind by what the backlash leaves
         std::string fault;
         std::optional<LensStatus> lens;
         HeadAbilities abilities;
@@ -47,6 +49,14 @@ class HeadWorker {
     ~HeadWorker();
 
     HeadLimits limits() const { return limits_; }
+    /// Of both axes, as the rig's head model has it; none at first.
+    void use_backlash(const HeadAngles& backlash);
+    /// Where the encoders are to be told to go so that the axes end there, within the limits.
+    HeadAngles encoders_for(const HeadAngles& axes);
+    /// Where the axes are while the encoders tell this, if these have not turned round since.
+    HeadAngles axes_at(const HeadAngles& encoders);
+    /// The axes are off by so much that they came from the other side than was thought.
+    bool astray(const HeadAngles& axes);
     /// `by_hand`: an operator's wish, not steering's.
     void command(const HeadAngles& angles, bool by_hand = false);
     /// Steering's.
@@ -63,9 +73,9 @@ class HeadWorker {
     /// Stops the head; motions that still wait are dropped.
     void halt();
     Reading reading();
-    /// Where it looked at a time of the last second, by the clock; with inline calls, now. Empty
-    /// while it does not say.
-    std::optional<HeadAngles> angles_at(std::int64_t time_ns);
+    /// Where its axes were at a time of the last second, by the clock; with inline calls, now.
+    /// Empty while it does not say.
+    std::optional<HeadAngles> axes_when(std::int64_t time_ns);
     /// How much larger its camera shows things than at its widest; 1 where its lens does not say.
     double magnification() const;
     /// What happened to the head since the last call.
@@ -111,9 +121,10 @@ class HeadWorker {
     std::string status_fault_;
     struct Past {
         std::int64_t time_ns = 0;
-        HeadAngles angles;
+        HeadAngles axes;
     };
     std::deque<Past> past_;
+    HeadAxes axes_;
     std::vector<HeadNote> notes_;  // the worker's own
     std::jthread thread_;          // last, so that it ends before what it uses
 };

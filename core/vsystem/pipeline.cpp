@@ -53,6 +53,7 @@ Pipeline::Pipeline(Rig rig, const std::shared_ptr<PanTiltCamera>& head,
         left_filter_.emplace(*options.temporal);
         right_filter_.emplace(*options.temporal);
     }
+    tell_backlash();
 }
 
 void Pipeline::process(ImageSet images, std::uint64_t frames_lost) {
@@ -379,7 +380,7 @@ std::optional<HeadAngles> Pipeline::angles_of_pan_tilt_picture() {
     const bool one_clock = std::abs(after_left_ns) < second_ns;
     const auto late_ns =
         static_cast<std::int64_t>(std::llround(options_.steering.camera_latency_s * 1e9));
-    return head_->angles_at(images_.arrived_ns + (one_clock ? after_left_ns : 0) - late_ns);
+    return head_->axes_when(images_.arrived_ns + (one_clock ? after_left_ns : 0) - late_ns);
 }
 
 // Over the zoom of its calibration, which is taken to be the widest. By the lens's own views, both
@@ -418,16 +419,21 @@ void Pipeline::steer() {
         return;
     }
     // A command that the head did not take is given again.
-    const auto last = head_->move_failed() ? std::nullopt : commanded_;
+    const auto last = head_->move_failed() ? std::nullopt : aimed_;
     if (const auto command =
             steering_.command_for(aim->angles, last, images_.stereo.left.time_ns)) {
-        aim->angles = *command;
+        aim->angles = head_->encoders_for(*command);
         head_->follow(*aim);
-        commanded_ = command;
+        aimed_ = command;
+        commanded_ = aim->angles;
         followed_ns_ = aim->computed_ns;
     } else if (!options_.every_frame && steering_.automatic() && commanded_ &&
                aim->computed_ns - followed_ns_ > tell_again_ns) {
-        // An aim that became old on its way was dropped by the head's driver.
+        // An aim that became old on its way was dropped by the head's driver; one that reached it
+        // on its way may have turned it round, and its backlash with it.
+        if (aimed_ && head_->astray(*aimed_)) {
+            commanded_ = head_->encoders_for(*aimed_);
+        }
         head_->follow({*commanded_, {}, aim->computed_ns, aim->computed_ns});
         followed_ns_ = aim->computed_ns;
     }
@@ -458,6 +464,7 @@ Result<Done> Pipeline::take_vehicle_motion(const VehicleMotion& motion) {
 
 void Pipeline::use_rig(const Rig& rig) {
     rig_ = rig;
+    tell_backlash();
     targets_.use_rig(rig_);
     servo_.use_rig(rig_);
     watch_ = RigWatch(rig_);

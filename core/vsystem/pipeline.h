@@ -42,6 +42,7 @@ class Pipeline {
     Result<Reply> halt_head();
     Result<Reply> drive_head(const DriveHead& command);
     Result<Reply> centre_head(const CentreHead& command);
+    void tell_backlash();
     Result<Reply> turn_head(const HeadWorker::Turn& command);
     Result<Reply> set_head(const HeadWorker::Setting& command);
     Result<Reply> hold(const HoldFrame& command);
@@ -104,6 +105,7 @@ class Pipeline {
     bool steers_alone_ = false;
     std::optional<HeadAngles> commanded_;
     std::optional<HeadSnapshot> head_told_;  // with the last snapshot
+    std::optional<HeadAngles> aimed_;        // where its axes were, by steering
     std::int64_t followed_ns_ = 0;           // when the head was last told by steering
     ImageSet images_;
     std::optional<TemporalFilter> left_filter_;

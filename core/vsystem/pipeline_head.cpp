@@ -71,6 +71,15 @@ struct SettingCheck {
 
 }  // namespace
 
+// A scatter below nothing is none.
+void Pipeline::tell_backlash() {
+    if (head_) {
+        const HeadModel model = rig_.head.value_or(HeadModel{});
+        head_->use_backlash(
+            {std::max(0.0, model.pan_backlash_rad), std::max(0.0, model.tilt_backlash_rad)});
+    }
+}
+
 void Pipeline::announce_head() {
     for (const HeadNote& note : head_->take_notes()) {
         switch (note.kind) {
@@ -88,9 +97,9 @@ void Pipeline::announce_head() {
 
 HeadSnapshot Pipeline::head_now() {
     const auto reading = head_->reading();
-    return {reading.status.angles, commanded_,           reading.status.moving,
-            steering_.automatic(), steering_.at_limit(), reading.fault,
-            reading.lens,          reading.abilities,    head_->limits()};
+    return {reading.status.angles, commanded_,    reading.status.moving, steering_.automatic(),
+            steering_.at_limit(),  reading.fault, reading.lens,          reading.abilities,
+            head_->limits(),       reading.axes};
 }
 
 void Pipeline::watch_head() {
@@ -107,6 +116,8 @@ void Pipeline::take_by_hand(const std::optional<HeadAngles>& commanded) {
     steering_.set_automatic(false);
     steering_.nothing_wanted();
     commanded_ = commanded;
+    // By hand the encoders are told; where that leaves the axes is not steering's last word.
+    aimed_ = rig_.head ? std::nullopt : commanded;
     publish();
 }
 
@@ -220,14 +231,14 @@ Result<Reply> Pipeline::centre_head(const CentreHead& command) {
     }
     const auto reading = head_->reading();
     const auto angles =
-        angles_to_centre(rig_, command.seen_from.value_or(reading.status.angles),
+        angles_to_centre(rig_, head_->axes_at(command.seen_from.value_or(reading.status.angles)),
                          {command.x_px, command.y_px}, centred_range_mm, magnified_now());
     if (!angles) {
         return Error{"Nothing is seen at that place of the pan-tilt picture.",
                      "Choose one nearer to its middle."};
     }
     // What is seen may be beyond what the head can be turned to: it goes as far as it can.
-    const HeadAngles nearest = within_limits(*angles, head_->limits());
+    const HeadAngles nearest = head_->encoders_for(*angles);
     head_->command(nearest, true);
     take_by_hand(nearest);
     return Reply(Done{});

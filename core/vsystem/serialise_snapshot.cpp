@@ -175,9 +175,14 @@ RigWatchState read_rig_watch(const Json& json) {
 }
 
 Json json_of(const HeadSnapshot& head) {
-    Json json{{"pan_rad", head.angles.pan_rad}, {"tilt_rad", head.angles.tilt_rad},
-              {"moving", head.moving},          {"automatic", head.automatic},
-              {"at_limit", head.at_limit},      {"fault", head.fault}};
+    Json json{{"pan_rad", head.angles.pan_rad},
+              {"tilt_rad", head.angles.tilt_rad},
+              {"moving", head.moving},
+              {"automatic", head.automatic},
+              {"at_limit", head.at_limit},
+              {"fault", head.fault},
+              {"axes_pan_rad", head.axes.pan_rad},
+              {"axes_tilt_rad", head.axes.tilt_rad}};
     if (head.commanded) {
         json["commanded_pan_rad"] = head.commanded->pan_rad;
         json["commanded_tilt_rad"] = head.commanded->tilt_rad;
@@ -203,6 +208,10 @@ Json json_of(const HeadSnapshot& head) {
 HeadSnapshot read_head(const Json& json) {
     HeadSnapshot head;
     head.angles = {get<double>(json, "pan_rad"), get<double>(json, "tilt_rad")};
+    head.axes = head.angles;
+    if (json.contains("axes_pan_rad")) {
+        head.axes = {get<double>(json, "axes_pan_rad"), get<double>(json, "axes_tilt_rad")};
+    }
     head.moving = get<bool>(json, "moving");
     head.automatic = get<bool>(json, "automatic");
     head.at_limit = get<bool>(json, "at_limit");

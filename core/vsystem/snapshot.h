@@ -32,7 +32,7 @@ struct TrackSnapshot {
 
 /// The pan-tilt head in a snapshot.
 struct HeadSnapshot {
-    HeadAngles angles;                    ///< where it looks
+    HeadAngles angles;                    ///< where its encoders are, as it tells
     std::optional<HeadAngles> commanded;  ///< where it was last told to look
     bool moving = false;
     bool automatic = true;  ///< steered to the target; false: by hand
@@ -41,6 +41,9 @@ struct HeadSnapshot {
     std::optional<LensStatus> lens = std::nullopt;  ///< empty where the head does not tell
     HeadAbilities abilities = {};
     HeadLimits limits = {};
+    /// Where its axes are, and so where it looks: behind the encoders by what the head model's
+    /// backlash leaves; without a model the same.
+    HeadAngles axes = {};
     bool operator==(const HeadSnapshot&) const = default;
 };
 

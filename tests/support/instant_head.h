@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace kambara::testing_support {
 
-/// A head that is at once where it is told to look, and remembers what it was told.
+/// A head that is at once where it is told to look, and remembers what it was told. Its axes lag
+/// behind by what the play between them and the encoders leaves.
 class InstantHead final : public PanTiltCamera {
   public:
     std::string name() const override { return "instant"; }
@@ -20,6 +22,8 @@ class InstantHead final : public PanTiltCamera {
         }
         std::lock_guard lock(mutex_);
         angles_ = angles;
+        axes_ = {carried(axes_.pan_rad, angles.pan_rad, backlash.pan_rad),
+                 carried(axes_.tilt_rad, angles.tilt_rad, backlash.tilt_rad)};
         ++moves_;
         return Done{};
     }
@@ -36,12 +40,23 @@ class InstantHead final : public PanTiltCamera {
         return moves_;
     }
 
+    HeadAngles axes() const {
+        std::lock_guard lock(mutex_);
+        return axes_;
+    }
+
+    HeadAngles backlash;  // set before it is used
     std::atomic<int> halts = 0;
     std::atomic<int> refusals = 0;  // of the next moves
 
   private:
+    static double carried(double axis, double encoder, double play) {
+        return std::clamp(axis, encoder - 0.5 * play, encoder + 0.5 * play);
+    }
+
     mutable std::mutex mutex_;
     HeadAngles angles_;
+    HeadAngles axes_;
     int moves_ = 0;
 };
 

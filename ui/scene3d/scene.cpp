@@ -91,8 +91,8 @@ class VtkScene final : public Scene {
     }
 
     void add(const Snapshot& snapshot) override {
-        if (snapshot.head && head_ != snapshot.head->angles) {
-            head_ = snapshot.head->angles;
+        if (snapshot.head && head_ != snapshot.head->axes) {
+            head_ = snapshot.head->axes;
             head_turned_ = true;
         }
         const auto position = steered_estimate(snapshot).position;

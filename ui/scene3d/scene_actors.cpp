@@ -37,11 +37,14 @@ void add_line(vtkCellArray& cells, vtkIdType from, vtkIdType to) {
 
 vtkSmartPointer<vtkPolyData> field_of(const Rig& rig, const Camera& camera, double depth_mm,
                                       const std::optional<HeadAngles>& head) {
-    const Eigen::Matrix3d turned =
-        head ? Eigen::Matrix3d(rotation_about_y(head->pan_rad) * rotation_about_x(head->tilt_rad))
-             : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-    const RigidTransform T_left_from_camera =
-        rig.left.T_camera_from_rig * camera.T_camera_from_rig.inverse();
+    RigidTransform T_rig_from_camera = camera.T_camera_from_rig.inverse();
+    if (head && rig.head) {
+        T_rig_from_camera = T_camera_from_rig(*rig.head, *head).inverse();
+    } else if (head) {
+        T_rig_from_camera.R = T_rig_from_camera.R * rotation_about_y(head->pan_rad) *
+                              rotation_about_x(head->tilt_rad);
+    }
+    const RigidTransform T_left_from_camera = rig.left.T_camera_from_rig * T_rig_from_camera;
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
     const Eigen::Vector3d eye = T_left_from_camera.t_mm;
@@ -56,8 +59,7 @@ vtkSmartPointer<vtkPolyData> field_of(const Rig& rig, const Camera& camera, doub
             continue;
         }
         const Eigen::Vector3d direction = camera.T_camera_from_rig.R * ray->direction;
-        const Eigen::Vector3d place =
-            T_left_from_camera * (turned * (direction * (depth_mm / direction.z())));
+        const Eigen::Vector3d place = T_left_from_camera * (direction * (depth_mm / direction.z()));
         const vtkIdType id = points->InsertNextPoint(place.data());
         add_line(*cells, 0, id);
     }

@@ -120,6 +120,7 @@ Snapshot full_snapshot() {
     snapshot.head->lens = LensStatus{0.25, 1.0 / 3.0, 0.8, 0.75, false};
     snapshot.head->abilities = {true, false, true, false, true, 6};
     snapshot.head->limits = {1.0, 0.5, 0.7, 1.0 / 3.0};
+    snapshot.head->axes = {0.19, -0.11};
     snapshot.servo = ServoSnapshot{
         true, TrackState::doubtful,         "dim", Eigen::Vector2d(319.5, 1.0 / 3.0), {41, 31},
         0.4,  HeadAngles{-0.01, 1.0 / 7.0}, true};
