@@ -18,6 +18,7 @@ namespace kambara::cli {
 namespace {
 
 constexpr double worth_saying = 1.15;   // of the RMS with the model: less may be chance
+constexpr double near_mm = 700.0;       // where the lever arms cost what a head should not miss by
 constexpr double changed_sigmas = 3.5;  // of the most moved of some twenty numbers
 
 int side_of(const NamedRow& row, const char* column) {
@@ -95,6 +96,15 @@ nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& reje
         json["rig_most_moved_sigmas"] = result.by_rig->most_moved_sigmas;
     }
     return json;
+}
+
+std::string cost_of(const HeadMiss& miss) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "Without the model the head would miss things %.1f m away by %.2f degrees RMS, "
+                  "%.2f at most.\n",
+                  1e-3 * near_mm, deg_from_rad(miss.rms_rad), deg_from_rad(miss.worst_rad));
+    return text;
 }
 
 // The levers' worth depends on the rig's; what is done with it is never silent.
@@ -231,8 +241,15 @@ Outcome run_calibrate_head(const CalibrateHeadOptions& options) {
         return failed(written.error());
     }
     Outcome outcome;
-    outcome.json = json_of(*result, rejected, options.refine_rig).dump(2);
-    outcome.summary = summary_of(*result, rejected.size(), options.refine_rig);
+    Rig without = *rig;
+    without.head.reset();
+    const HeadMiss miss = missed_without_model(with_head_model(*rig, result->model_for_given_rig),
+                                               without, all->views, near_mm);
+    nlohmann::json json = json_of(*result, rejected, options.refine_rig);
+    json["missed_at_700_mm_without_model_rms_deg"] = deg_from_rad(miss.rms_rad);
+    json["missed_at_700_mm_without_model_worst_deg"] = deg_from_rad(miss.worst_rad);
+    outcome.json = json.dump(2);
+    outcome.summary = summary_of(*result, rejected.size(), options.refine_rig) + cost_of(miss);
     return outcome;
 }
 

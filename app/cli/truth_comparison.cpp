@@ -31,7 +31,10 @@ std::string head_sentence(double within_1_deg_fraction) {
 
 TruthComparison::TruthComparison(std::shared_ptr<const SimulatedWorld> world,
                                  const Eigen::Vector2d& left_px, std::int64_t frame)
-    : world_(std::move(world)), first_time_ns_(world_->time_ns(frame)) {
+    : world_(std::move(world)),
+      true_rig_(world_->true_rig()),
+      axes_(world_->profile().head_backlash),
+      first_time_ns_(world_->time_ns(frame)) {
     if (const auto point = world_->target_point_under(left_px, frame)) {
         target_point_mm_ = *point;
         on_target_ = true;
@@ -57,8 +60,9 @@ TruthSample TruthComparison::add(const Snapshot& snapshot) {
         }
     }
     if (snapshot.head) {
+        axes_.see(snapshot.head->angles);
         const double error_rad =
-            aiming_error_rad(world_->rig(), snapshot.head->angles, sample.point_in_left_mm);
+            aiming_error_rad(true_rig_, axes_.at(snapshot.head->angles), sample.point_in_left_mm);
         sample.head_error_deg = deg_from_rad(error_rad);
         if (!again && snapshot.time_ns - first_time_ns_ >= settling_ns) {
             ++head_samples_;

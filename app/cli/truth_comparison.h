@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "core/camera/rig.h"
+#include "core/pointing/head_axes.h"
 #include "core/vsystem/snapshot.h"
 
 namespace kambara {
@@ -50,6 +52,8 @@ class TruthComparison {
 
   private:
     std::shared_ptr<const SimulatedWorld> world_;
+    const Rig true_rig_;
+    HeadAxes axes_;  // as the simulated head's encoders leave them
     Eigen::Vector2d target_point_mm_ = Eigen::Vector2d::Zero();
     bool on_target_ = false;
     std::int64_t first_time_ns_ = 0;

@@ -107,8 +107,10 @@ Result<Sources> open_simulation(const SourceOptions& options, Clock& clock) {
         return opened.error();
     }
     sources.real_head = *opened != nullptr;
+    SimulatedHead::Options of_head;
+    of_head.backlash = profile->head_backlash;
     const std::shared_ptr<PanTiltCamera> head =
-        *opened ? *opened : std::make_shared<SimulatedHead>(head_clock);
+        *opened ? *opened : std::make_shared<SimulatedHead>(head_clock, of_head);
     sources.parts.head = head;
     Grabbers& grabbers = sources.parts.grabbers;
     grabbers.left = make_simulated_grabber(world, FixedCamera::left, options.start, pace);

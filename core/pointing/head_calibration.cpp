@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/camera/rig_parameters.h"
+#include "core/pointing/aim.h"
 #include "core/pointing/head_adjustment.h"
 
 namespace kambara {
@@ -190,6 +191,34 @@ std::optional<double> view_rms_rad(const Rig& rig, const HeadModel& model, const
         squares += ray->direction.cross(there).squaredNorm();
     }
     return std::sqrt(squares / std::max<double>(1.0, static_cast<double>(view.sightings.size())));
+}
+
+HeadMiss missed_without_model(const Rig& rig, const Rig& without,
+                              const std::vector<HeadView>& views, double range_mm) {
+    constexpr int steps = 8;
+    const auto between = [&](double HeadAngles::*angle, int step) {
+        const auto [least, most] = std::minmax_element(
+            views.begin(), views.end(),
+            [angle](const auto& a, const auto& b) { return a.encoder.*angle < b.encoder.*angle; });
+        return least->encoder.*angle +
+               (most->encoder.*angle - least->encoder.*angle) * step / steps;
+    };
+    HeadMiss miss;
+    double squares = 0.0;
+    for (int i = 0; i <= steps; ++i) {
+        for (int k = 0; k <= steps; ++k) {
+            const HeadAngles axes{between(&HeadAngles::pan_rad, i),
+                                  between(&HeadAngles::tilt_rad, k)};
+            const Eigen::Vector3d in_rig = T_camera_from_rig(rig.head.value(), axes).inverse() *
+                                           Eigen::Vector3d(0.0, 0.0, range_mm);
+            const Eigen::Vector3d point = rig.left.T_camera_from_rig * in_rig;
+            const double off = aiming_error_rad(rig, angles_towards(without, point), point);
+            squares += off * off / ((steps + 1) * (steps + 1));
+            miss.worst_rad = std::max(miss.worst_rad, off);
+        }
+    }
+    miss.rms_rad = std::sqrt(squares);
+    return miss;
 }
 
 Rig with_head_model(Rig rig, const HeadModel& model) {

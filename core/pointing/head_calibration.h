@@ -98,6 +98,17 @@ Result<HeadCalibration> calibrate_head(const Rig& rig, const std::vector<HeadVie
 /// the points and where the model has them. Empty where a pixel has no ray.
 std::optional<double> view_rms_rad(const Rig& rig, const HeadModel& model, const HeadView& view);
 
+/// By how much the head misses what is so far from its camera.
+struct HeadMiss {
+    double rms_rad = 0.0;
+    double worst_rad = 0.0;
+};
+
+/// What it would cost to steer `rig`, which has the head's model, as `without` it is steered: over
+/// the views' angles and all angles between them.
+HeadMiss missed_without_model(const Rig& rig, const Rig& without,
+                              const std::vector<HeadView>& views, double range_mm);
+
 /// The rig with the head's model, and its pan-tilt camera where that has it at home.
 Rig with_head_model(Rig rig, const HeadModel& model);
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "hardware/simulated/simulated_head.h"
+
 namespace kambara {
 namespace {
 
@@ -96,13 +98,16 @@ std::unique_ptr<GrabberBase> make_simulated_grabber(
     const std::shared_ptr<const SimulatedWorld>& world, std::shared_ptr<PanTiltCamera> head,
     std::int64_t start, const SimulatedPace& pace) {
     auto info = info_of(*world, *world->rig().pan_tilt, "pan-tilt", pace);
-    auto draw = [world, head = std::move(head)](std::int64_t frame) -> std::optional<Image> {
+    const auto simulated = std::dynamic_pointer_cast<SimulatedHead>(head);
+    auto draw = [world, head = std::move(head),
+                 simulated](std::int64_t frame) -> std::optional<Image> {
         const auto status = head->status();
         if (!status) {
             return std::nullopt;  // an unplugged head is plugged in again
         }
         const auto lens = head->lens();
-        return world->pan_tilt_picture(frame, status->angles, lens ? lens->magnification() : 1.0);
+        return world->pan_tilt_picture(frame, simulated ? simulated->axes() : status->angles,
+                                       lens ? lens->magnification() : 1.0);
     };
     return std::make_unique<SimulatedGrabber>(world, std::move(info), std::move(draw), start, pace);
 }

@@ -28,8 +28,9 @@ std::unique_ptr<GrabberBase> make_simulated_grabber(
     const std::shared_ptr<const SimulatedWorld>& world, FixedCamera camera, std::int64_t start,
     const SimulatedPace& pace);
 
-/// The pan-tilt camera, drawn for where its head looks and how far it is zoomed in. As long as the
-/// head does not say where it looks, frames are invalid and hold no picture.
+/// The pan-tilt camera, drawn for where its head looks and how far it is zoomed in: by a
+/// SimulatedHead's axes, or what another head tells. As long as the head does not say where it
+/// looks, frames are invalid and hold no picture.
 std::unique_ptr<GrabberBase> make_simulated_grabber(
     const std::shared_ptr<const SimulatedWorld>& world, std::shared_ptr<PanTiltCamera> head,
     std::int64_t start, const SimulatedPace& pace);

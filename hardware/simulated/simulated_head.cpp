@@ -26,6 +26,11 @@ double quantised(double speed, double fastest, int speeds) {
     return std::copysign(std::clamp(steps, 1.0, static_cast<double>(speeds)) * step, speed);
 }
 
+// Where an encoder leaves its axis, which it draws along at half the play.
+double carried(double axis, double encoder, double play) {
+    return std::clamp(axis, encoder - 0.5 * play, encoder + 0.5 * play);
+}
+
 // Written so that what is not a number is refused as well.
 Result<Done> is_share(const char* what, double share) {
     if (share >= 0.0 && share <= 1.0) {
@@ -69,7 +74,20 @@ HeadAngles SimulatedHead::angles_at(std::int64_t time_ns) const {
     return {pan_.at(time_ns), tilt_.at(time_ns)};
 }
 
+// A course goes one way, so that its axis is carried along from where the last one left it.
+HeadAngles SimulatedHead::axes_at(std::int64_t time_ns) const {
+    const HeadAngles encoders = angles_at(time_ns);
+    return {carried(carried_to_.pan_rad, encoders.pan_rad, options_.backlash.pan_rad),
+            carried(carried_to_.tilt_rad, encoders.tilt_rad, options_.backlash.tilt_rad)};
+}
+
+HeadAngles SimulatedHead::axes() {
+    std::lock_guard lock(mutex_);
+    return axes_at(clock_->now_ns());
+}
+
 void SimulatedHead::look(const HeadAngles& angles, std::int64_t now_ns) {
+    carried_to_ = axes_at(now_ns);
     const HeadLimits& most = options_.limits;
     pan_.go(stepped(angles.pan_rad, options_.pan_steps_per_deg, most.pan_rad), most.pan_speed_rad_s,
             now_ns);
@@ -95,6 +113,7 @@ Result<Done> SimulatedHead::move_to(const HeadAngles& angles) {
 Result<Done> SimulatedHead::halt() {
     std::lock_guard lock(mutex_);
     const std::int64_t now_ns = clock_->now_ns();
+    carried_to_ = axes_at(now_ns);
     for (Course* axis : {&pan_, &tilt_}) {
         axis->go(axis->at(now_ns), 0.0, now_ns);
     }
@@ -107,6 +126,7 @@ Result<Done> SimulatedHead::drive(double pan_rad_s, double tilt_rad_s) {
     }
     std::lock_guard lock(mutex_);
     const std::int64_t now_ns = clock_->now_ns();
+    carried_to_ = axes_at(now_ns);
     const HeadLimits& most = options_.limits;
     const auto drive_axis = [&](Course& axis, double wanted, double fastest, int speeds,
                                 double limit) {

@@ -34,6 +34,8 @@ class SimulatedHead final : public PanTiltCamera {
         double lens_range_s = 2.0;  ///< zoom or focus, end to end
         double sharp_focus =
             0.05;  ///< where autofocus goes: things 2 m away, to a near end of 0.1 m
+        /// How far an encoder goes before it carries its axis along when it is turned round.
+        HeadAngles backlash = {};
     };
 
     explicit SimulatedHead(std::shared_ptr<const Clock> clock)
@@ -46,6 +48,8 @@ class SimulatedHead final : public PanTiltCamera {
     Result<Done> move_to(const HeadAngles& angles) override;
     Result<Done> halt() override;
     Result<HeadStatus> status() override;
+    /// Where its axes really are, which it can't tell; `status` is of the encoders.
+    HeadAngles axes();
     Result<Done> drive(double pan_rad_s, double tilt_rad_s) override;
     /// To its stops and home, as if the motors had lost their steps: here simply home.
     Result<Done> reset() override { return move_to({}); }
@@ -79,6 +83,7 @@ class SimulatedHead final : public PanTiltCamera {
     void zoom(double share, std::int64_t now_ns);
     void focus(double share, bool by_itself, std::int64_t now_ns);
     HeadAngles angles_at(std::int64_t time_ns) const;
+    HeadAngles axes_at(std::int64_t time_ns) const;
     double view_rad(double zoom_share) const;
 
     const std::shared_ptr<const Clock> clock_;
@@ -86,6 +91,7 @@ class SimulatedHead final : public PanTiltCamera {
     std::mutex mutex_;
     Course pan_;
     Course tilt_;
+    HeadAngles carried_to_;  // where the axes were when the courses began
     Course zoom_;
     Course focus_;
     bool autofocus_ = true;

@@ -18,7 +18,8 @@ Error refused(const std::string& cause) {
             "noise, "
             "colour, "
             "water, lamps, haze, veil, forward, blur, snow, particles, step, swap, nearest, "
-            "farthest, circle, turn, sway, swing, feed, feed_delay, feed_noise, frames, rate, "
+            "farthest, circle, turn, sway, swing, feed, feed_delay, feed_noise, arm, ahead, "
+            "skew, backlash, frames, rate, "
             "medium, target, as in default?seed=3&noise=1."};
 }
 
@@ -155,6 +156,20 @@ std::string apply(std::string_view key, std::string_view value, SimulatedProfile
     if (key == "knock_deg") {
         return read_degrees(value, -5, 5, profile.knock_rad);
     }
+    if (key == "arm") {
+        return read(value, -200, 200, profile.head_arm_mm);
+    }
+    if (key == "ahead") {
+        return read(value, -200, 200, profile.head_ahead_mm);
+    }
+    if (key == "skew") {
+        return read_degrees(value, -5, 5, profile.head_skew_rad);
+    }
+    if (key == "backlash") {
+        std::string problem = read_degrees(value, 0, 3, profile.head_backlash.pan_rad);
+        profile.head_backlash.tilt_rad = profile.head_backlash.pan_rad;
+        return problem;
+    }
     if (key == "particles") {
         return read(value, 0, 5000, profile.particles);
     }
@@ -187,6 +202,23 @@ std::string apply(std::string_view key, std::string_view value, SimulatedProfile
 }
 
 }  // namespace
+
+std::optional<HeadModel> true_head(const SimulatedProfile& profile,
+                                   const Camera& pan_tilt_at_home) {
+    if (profile.head_arm_mm == 0.0 && profile.head_ahead_mm == 0.0 &&
+        profile.head_skew_rad == 0.0 && profile.head_backlash == HeadAngles{}) {
+        return std::nullopt;
+    }
+    HeadModel head;
+    head.tilt_axis_ahead_mm = profile.head_ahead_mm;
+    head.tilt_axis_skew_rad = profile.head_skew_rad;
+    head.T_camera_from_tilt.t_mm = {0.0, 0.0, -profile.head_arm_mm};
+    head.pan_backlash_rad = profile.head_backlash.pan_rad;
+    head.tilt_backlash_rad = profile.head_backlash.tilt_rad;
+    const RigidTransform T_camera_from_base = T_camera_from_rig(head, {});  // at home
+    head.T_base_from_rig = T_camera_from_base.inverse() * pan_tilt_at_home.T_camera_from_rig;
+    return head;
+}
 
 Result<SimulatedProfile> simulated_profile(std::string_view text) {
     const auto question = text.find('?');

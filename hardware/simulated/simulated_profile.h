@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/angles.h"
 #include "core/base/result.h"
 #include "core/calibration/target.h"
 #include "core/camera/rig.h"
@@ -54,11 +55,22 @@ struct SimulatedProfile {
     double feed_velocity_noise_mm_s = 20.0;  ///< likewise
     double knock_s = -1.0;  ///< from then on the right camera looks down by knock_rad; <0: never
     double knock_rad = 0.0;
+    /// The pan-tilt camera does not turn about its own centre: that lies ahead of the tilt axis by
+    /// the arm, and this ahead of the pan axis, and is not quite square to it. At home all of it is
+    /// where the nominal rig has it.
+    double head_arm_mm = 0.0;
+    double head_ahead_mm = 0.0;
+    double head_skew_rad = 0.0;
+    HeadAngles head_backlash;  ///< of both axes alike
     std::int64_t frames = -1;  ///< the source ends after so many; -1: never
     /// A calibration target shown in still poses, a second each, instead of the moving target.
     std::optional<Target> calibration_target;
     TargetPath path = TargetPath::swimming;
 };
+
+/// How its head's camera really moves, the pan-tilt camera being there when it is at home; empty
+/// where that is about its own centre, without backlash.
+std::optional<HeadModel> true_head(const SimulatedProfile& profile, const Camera& pan_tilt_at_home);
 
 /// Reads `NAME?key=value&key=value`. Names: default (a textured target on a smooth path),
 /// chessboard (9x6:30 unless target= says otherwise), two-plane-24, stations (the range
@@ -66,8 +78,8 @@ struct SimulatedProfile {
 /// colour, lamps, water (clear, coastal, harbour: sets veil and medium and those between, each of
 /// which may be given as well), haze, veil, forward, blur, snow, particles, step, swap, nearest,
 /// farthest, likes, circle (m; at 0.3 m/s, 1.5 m away), turn (degrees a second), sway (m/s), swing
-/// (s), feed, feed_delay (s), feed_noise (degrees a second), knock (s), knock_deg, frames, rate,
-/// medium (air, water), target.
+/// (s), feed, feed_delay (s), feed_noise (degrees a second), knock (s), knock_deg, arm, ahead (mm),
+/// skew, backlash (degrees), frames, rate, medium (air, water), target.
 Result<SimulatedProfile> simulated_profile(std::string_view text);
 
 }  // namespace kambara

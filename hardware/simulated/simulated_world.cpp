@@ -30,6 +30,7 @@ const float* numbers(const std::vector<Colour>& colours) {
 SimulatedWorld::SimulatedWorld(const SimulatedProfile& profile, std::shared_ptr<HeldTarget> hand)
     : profile_(profile),
       rig_(nominal_rig(profile.medium)),
+      head_(true_head(profile, *rig_.pan_tilt)),
       scene_(profile, std::move(hand), rig_.left.T_camera_from_rig),
       vehicle_(profile),
       noise_(profile.noise_grey, profile.seed) {
@@ -38,6 +39,12 @@ SimulatedWorld::SimulatedWorld(const SimulatedProfile& profile, std::shared_ptr<
     } else {
         grey_.emplace(scene_, rig_);
     }
+}
+
+Rig SimulatedWorld::true_rig() const {
+    Rig rig = rig_;
+    rig.head = head_;
+    return rig;
 }
 
 std::int64_t SimulatedWorld::time_ns(std::int64_t frame) const {
@@ -75,8 +82,9 @@ template <class Level>
 Image SimulatedWorld::turned_picture(const Views<Level>& views, std::int64_t frame,
                                      const HeadAngles& angles, double magnification) const {
     const Camera& camera = *rig_.pan_tilt;
-    const RigidTransform T_turned_from_home{R_home_from_turned(angles).transpose(),
-                                            Eigen::Vector3d::Zero()};
+    const RigidTransform T_turned_from_home =
+        head_ ? kambara::T_camera_from_rig(*head_, angles) * camera.T_camera_from_rig.inverse()
+              : RigidTransform{R_home_from_turned(angles).transpose(), Eigen::Vector3d::Zero()};
     const auto levels = views.pan_tilt.draw_turned(
         time_s(frame), T_turned_from_home * T_camera_from_world(camera, frame), magnification);
     return noise_.digitised(numbers(levels), camera.width_px, camera.height_px,

@@ -29,12 +29,16 @@ class SimulatedWorld {
     explicit SimulatedWorld(const SimulatedProfile& profile, std::shared_ptr<HeldTarget> hand = {});
 
     const SimulatedProfile& profile() const { return profile_; }
+    /// As it was calibrated, which knows nothing of the head's axes.
     const Rig& rig() const { return rig_; }
+    /// With how the head's camera really moves, where that is not about its own centre.
+    Rig true_rig() const;
     std::int64_t time_ns(std::int64_t frame) const;
 
     /// Grey, or of three channels where the profile wants colour.
     Image picture(FixedCamera camera, std::int64_t frame) const;
-    /// The pan-tilt camera's picture with the head at the angles and its lens zoomed in so far.
+    /// The pan-tilt camera's picture with the head's axes at the angles and its lens zoomed in so
+    /// far.
     Image pan_tilt_picture(std::int64_t frame, const HeadAngles& angles,
                            double magnification = 1.0) const;
 
@@ -72,6 +76,7 @@ class SimulatedWorld {
 
     SimulatedProfile profile_;
     Rig rig_;
+    std::optional<HeadModel> head_;
     Scene scene_;  // in the world's frame
     SimulatedVehicle vehicle_;
     std::optional<Views<float>> grey_;  // the one or the other
