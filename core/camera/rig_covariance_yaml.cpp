@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera/rig_covariance_yaml.h"
 
+#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/digits.h"
@@ -40,10 +43,20 @@ bool names_are(const YAML::Node& node, const std::vector<std::string>& names) {
     return true;
 }
 
-void write_list(YAML::Emitter& out, const Eigen::VectorXd& values) {
+// Of a correlation, which comes back from a covariance rounded in the last of a double's digits: a
+// file that is read and written again is to stay the same.
+std::string fourteen_digits(double value) {
+    char text[32];
+    const auto end =
+        std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, 14);
+    return {text, end.ptr};
+}
+
+template <class ToText>
+void write_list(YAML::Emitter& out, const Eigen::VectorXd& values, const ToText& to_text) {
     out << YAML::Flow << YAML::BeginSeq;
     for (const double value : values) {
-        out << digits(value);
+        out << to_text(value);
     }
     out << YAML::EndSeq;
 }
@@ -95,7 +108,7 @@ void write_covariance(YAML::Emitter& out, const Rig& rig) {
     out << YAML::Key << "calibration_covariance" << YAML::Value << YAML::BeginMap;
     out << YAML::Key << "parameters" << YAML::Value << YAML::Flow << rig_parameter_names(rig);
     out << YAML::Key << "sigma" << YAML::Value;
-    write_list(out, sigma);
+    write_list(out, sigma, [](double value) { return digits(value); });
     out << YAML::Key << "correlation" << YAML::Value << YAML::BeginSeq;
     for (Eigen::Index i = 0; i < sigma.size(); ++i) {
         Eigen::VectorXd row = Eigen::VectorXd::Zero(i + 1);
@@ -104,7 +117,7 @@ void write_covariance(YAML::Emitter& out, const Rig& rig) {
             row[j] = both > 0.0 ? covariance(i, j) / both : 0.0;
         }
         row[i] = 1.0;
-        write_list(out, row);
+        write_list(out, row, fourteen_digits);
     }
     out << YAML::EndSeq << YAML::EndMap;
 }

@@ -79,11 +79,16 @@ Result<std::pair<Rig, CalibrationOutcome>> CalibrationViews::calibrate(const Cal
     CalibrationReport report = calibrate_rig(views, *target, options);
     report.rig.provenance.method =
         command.target + ", brown, " + std::to_string(report.views_used) + " views";
-    if (before.pan_tilt) {
+    if (before.pan_tilt) {  // as it is beside the left camera
+        const RigidTransform T_before_from_now =
+            before.left.T_camera_from_rig.inverse() * report.rig.left.T_camera_from_rig;
         report.rig.pan_tilt = before.pan_tilt;
-        report.rig.pan_tilt->T_camera_from_rig = before.pan_tilt->T_camera_from_rig *
-                                                 before.left.T_camera_from_rig.inverse() *
-                                                 report.rig.left.T_camera_from_rig;
+        report.rig.pan_tilt->T_camera_from_rig =
+            before.pan_tilt->T_camera_from_rig * T_before_from_now;
+        report.rig.head = before.head;
+        if (report.rig.head) {
+            report.rig.head->T_base_from_rig = before.head->T_base_from_rig * T_before_from_now;
+        }
     }
     if (report.verdict != Verdict::refused) {
         std::lock_guard lock(mutex_);
