@@ -59,11 +59,13 @@ nlohmann::json json_of(const std::vector<RejectedHeadView>& rejected) {
     return json;
 }
 
+nlohmann::json three(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
 nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& rejected,
                        bool refined) {
     const HeadModel& model = result.model;
-    const Eigen::Vector3d& arm = model.T_camera_from_tilt.t_mm;
-    const Eigen::Vector3d& arm_sigma = result.camera_from_tilt_sigma_mm;
     nlohmann::json json{
         {"rms_px", result.rms_px},
         {"rms_without_model_px", result.rms_without_model_px},
@@ -73,8 +75,10 @@ nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& reje
         {"tilt_axis_ahead_mm", model.tilt_axis_ahead_mm},
         {"tilt_axis_ahead_sigma_mm", result.tilt_axis_ahead_sigma_mm},
         {"tilt_axis_skew_deg", deg_from_rad(model.tilt_axis_skew_rad)},
-        {"camera_from_tilt_mm", {arm.x(), arm.y(), arm.z()}},
-        {"camera_from_tilt_sigma_mm", {arm_sigma.x(), arm_sigma.y(), arm_sigma.z()}},
+        {"camera_from_tilt_mm", three(model.T_camera_from_tilt.t_mm)},
+        {"camera_from_tilt_sigma_mm", three(result.camera_from_tilt_sigma_mm)},
+        {"base_from_rig_sigma_mm", three(result.base_from_rig_sigma_mm)},
+        {"base_turn_sigma_deg", three(result.base_turn_sigma_rad * deg_from_rad(1.0))},
         {"rig", !result.by_rig ? "held"
                 : refined      ? "refined"
                                : "prior"},

@@ -2,9 +2,13 @@
 // A head whose axes lag behind its encoders is steered so that they end where they should.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "core/camera/nominal_rig.h"
 #include "core/pointing/aim.h"
 #include "core/pointing/head_calibration.h"
+#include "core/vsystem/head_worker.h"
 #include "core/vsystem/vision_system.h"
 #include "tests/support/instant_head.h"
 #include "tests/support/list_grabber.h"
@@ -92,6 +96,37 @@ TEST(Backlash, TheAxesEndOnTheTargetFromEverySide) {
             EXPECT_GT(without_deg, 0.2);
         }
     }
+}
+
+// On a thread of its own, too, where it learns of the head's moves by asking.
+TEST(Backlash, TheWorkerFollowsTheAxesOfALiveHead) {
+    const auto head = std::make_shared<InstantHead>();
+    head->backlash = backlash;
+    ManualClock clock;
+    HeadWorker worker(head, HeadWorker::Threading::own_thread, clock);
+    worker.use_backlash(backlash);
+    const auto comes_to = [&](const HeadAngles& encoders) {
+        worker.command(encoders);
+        for (int i = 0; i < 1000 && worker.reading().status.angles != encoders; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        const HeadAngles axes = worker.reading().axes;
+        EXPECT_NEAR(axes.pan_rad, head->axes().pan_rad, 1e-12);
+        EXPECT_NEAR(axes.tilt_rad, head->axes().tilt_rad, 1e-12);
+        return worker.reading().status.angles == encoders;
+    };
+    ASSERT_TRUE(comes_to({0.2, 0.1}));
+    ASSERT_TRUE(comes_to({0.197, 0.2}));  // the pan axis stands, the encoder crosses the play
+    EXPECT_NEAR(worker.reading().axes.pan_rad, 0.2 - 0.5 * backlash.pan_rad, 1e-12);
+    const HeadAngles wanted{-0.3, 0.25};
+    ASSERT_TRUE(comes_to(worker.encoders_for(wanted)));
+    EXPECT_NEAR(head->axes().pan_rad, wanted.pan_rad, 1e-12);
+    EXPECT_NEAR(head->axes().tilt_rad, wanted.tilt_rad, 1e-12);
+    EXPECT_FALSE(worker.astray(wanted));
+    EXPECT_TRUE(worker.astray({wanted.pan_rad, wanted.tilt_rad + backlash.tilt_rad}));
+    // Never told to go beyond what it reaches.
+    const HeadAngles edge = worker.encoders_for({HeadLimits{}.pan_rad, HeadLimits{}.tilt_rad});
+    EXPECT_EQ(edge, (HeadAngles{HeadLimits{}.pan_rad, HeadLimits{}.tilt_rad}));
 }
 
 }  // namespace
