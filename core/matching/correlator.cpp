@@ -6,8 +6,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "core/matching/kernels/transform_rows.h"
-
 namespace kambara {
 namespace {
 
@@ -177,8 +175,8 @@ void Correlator::load(const Image& picture, const Rectangle& region, int first_x
                                    static_cast<std::ptrdiff_t>(region.x + first_x) * channels_;
         std::uint8_t* to = pixels_.data() + y * planes_.stride;
         if (channels_ == 3 && step_ == 1) {
-            transform_rows().split(from, bytes, to, to + planes_.plane_stride,
-                                   to + 2 * planes_.plane_stride);
+            kernels_->transforms.split(from, bytes, to, to + planes_.plane_stride,
+                                       to + 2 * planes_.plane_stride);
         }
         for (int c = 0; c < channels_; ++c, to += planes_.plane_stride) {
             if (channels_ == 1 && step_ == 1) {

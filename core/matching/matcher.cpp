@@ -49,10 +49,10 @@ double unlike_levels(const Image& templ, const Image* mask, int step) {
 }  // namespace
 
 Matcher::Matcher(const MatchMethod& method, const Kernels& kernels)
-    : method_(method), correlator_(kernels) {}
+    : method_(method), rows_(&kernels.transforms), correlator_(kernels) {}
 
 void Matcher::set_template(const Image& picture, const Rectangle& rectangle, const Image* mask) {
-    transform_region(picture, rectangle, method_.transform, template_);
+    transform_region(picture, rectangle, method_.transform, template_, *rows_);
     width_ = rectangle.width;
     height_ = rectangle.height;
     correlator_.set_template(method_.measure, template_, mask, method_.step);
@@ -90,7 +90,7 @@ void Matcher::scores(const Image& picture, const Rectangle& positions, ScoreMap&
         correlator_.scores(*kept, {left, top, right - left, bottom - top}, map);
         return;
     }
-    transform_region(picture, region, method_.transform, region_);
+    transform_region(picture, region, method_.transform, region_, *rows_);
     correlator_.scores(region_, {0, 0, right - left, bottom - top}, map);
     map.positions = {left, top, right - left, bottom - top};
 }

@@ -43,6 +43,7 @@ class Matcher {
 
   private:
     MatchMethod method_;
+    const TransformRows* rows_;
     Correlator correlator_;
     Image template_;
     Image region_;

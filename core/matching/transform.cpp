@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/matching/kernels/transform_rows.h"
+#include "core/matching/kernels/kernels.h"
 
 namespace kambara {
 namespace {
@@ -53,59 +53,70 @@ std::array<std::int16_t, RADIUS + 1> gaussian_weights(double sigma_px) {
 template <int RADIUS>
 class RowsAlong {
   public:
-    RowsAlong(double sigma_px, const Image& picture, const Rectangle& region)
-        : weights_(gaussian_weights<RADIUS>(sigma_px)), picture_(picture), region_(region) {
-        if (kept().size() < static_cast<std::size_t>(rows_kept * stride())) {
-            kept().resize(static_cast<std::size_t>(rows_kept * stride()));
+    /// `along` smooths the row of that number into a row of `numbers` numbers.
+    template <class Along>
+    RowsAlong(std::ptrdiff_t numbers, const Along& along) : stride_(whole_lines(numbers)) {
+        const auto size = static_cast<std::size_t>((rows_kept + 1) * stride_);
+        if (kept().size() < size) {
+            kept().resize(size);
         }
         for (int y = -RADIUS; y < RADIUS; ++y) {
-            add(y);
+            along(y, place(y));
         }
     }
 
     /// The rows about y; to be asked for one row after the other.
-    const std::int16_t* const* about(int y) {
-        add(y + RADIUS);
+    template <class Along>
+    const std::int16_t* const* about(int y, const Along& along) {
+        along(y + RADIUS, place(y + RADIUS));
         for (int j = -RADIUS; j <= RADIUS; ++j) {
             about_[static_cast<std::size_t>(j + RADIUS)] = place(y + j);
         }
         return about_.data();
     }
-    const std::int16_t* weights() const { return weights_.data(); }
 
   private:
     static constexpr int rows_kept = 2 * RADIUS + 1;
+    static constexpr std::ptrdiff_t in_line = 32;  // of the cache, which no load should cross
 
+    static std::ptrdiff_t whole_lines(std::ptrdiff_t numbers) {
+        return (numbers + in_line - 1) / in_line * in_line;
+    }
     static std::vector<std::int16_t>& kept() {
         thread_local std::vector<std::int16_t> rows;
         return rows;
     }
-    int stride() const { return region_.width + 64; }
-    std::int16_t* place(int y) const { return kept().data() + (y + RADIUS) % rows_kept * stride(); }
-    void add(int y) const {
-        transform_rows().smooth_along(picture_.row(region_.y + y) + region_.x, weights_.data(),
-                                      RADIUS, region_.width, place(y));
+    std::int16_t* place(int y) const {
+        const auto first = reinterpret_cast<std::uintptr_t>(kept().data()) / sizeof(std::int16_t);
+        const auto skipped = static_cast<std::ptrdiff_t>((in_line - first % in_line) % in_line);
+        return kept().data() + skipped + (y + RADIUS) % rows_kept * stride_;
     }
 
-    const std::array<std::int16_t, RADIUS + 1> weights_;
-    const Image& picture_;
-    const Rectangle region_;
+    const std::ptrdiff_t stride_;
     std::array<const std::int16_t*, rows_kept> about_{};
 };
 
-void smooth(const Image& picture, const Rectangle& region, Image& out) {
-    RowsAlong<smooth_radius> rows(1.0, picture, region);
+void smooth(const Image& picture, const Rectangle& region, const TransformRows& by, Image& out) {
+    const auto weights = gaussian_weights<smooth_radius>(1.0);
+    const auto along = [&](int y, std::int16_t* to) {
+        by.smooth_along(picture.row(region.y + y) + region.x, weights.data(), region.width, to);
+    };
+    RowsAlong<smooth_radius> rows(region.width, along);
     for (int y = 0; y < region.height; ++y) {
-        transform_rows().smooth_across(rows.about(y), rows.weights(), region.width, out.row(y));
+        by.smooth_across(rows.about(y, along), weights.data(), region.width, out.row(y));
     }
 }
 
-void sign_of_difference(const Image& picture, const Rectangle& region, Image& out) {
-    RowsAlong<narrow_radius> less(0.8, picture, region);
-    RowsAlong<wide_radius> more(1.6, picture, region);
+void sign_of_difference(const Image& picture, const Rectangle& region, const TransformRows& by,
+                        Image& out) {
+    const TwoGaussians weights{gaussian_weights<narrow_radius>(0.8),
+                               gaussian_weights<wide_radius>(1.6)};
+    const auto along = [&](int y, std::int16_t* to) {
+        by.both_along(picture.row(region.y + y) + region.x, weights, region.width, to);
+    };
+    RowsAlong<wide_radius> rows(2 * whole_groups(region.width), along);
     for (int y = 0; y < region.height; ++y) {
-        transform_rows().larger_across(less.about(y), less.weights(), more.about(y), more.weights(),
-                                       region.width, out.row(y));
+        by.larger_across(rows.about(y, along), weights, region.width, out.row(y));
     }
 }
 
@@ -161,7 +172,7 @@ Rectangle transformable(const Image& picture, Transform transform) {
 }
 
 void transform_region(const Image& picture, const Rectangle& region, Transform transform,
-                      Image& out) {
+                      Image& out, const TransformRows& rows) {
     const int margin = margin_px(transform);
     const Rectangle needed{region.x - margin, region.y - margin, region.width + 2 * margin,
                            region.height + 2 * margin};
@@ -174,7 +185,6 @@ void transform_region(const Image& picture, const Rectangle& region, Transform t
         out.channels() != channels) {
         out = Image(region.width, region.height, channels);
     }
-    const auto& rows = transform_rows();
     const auto by_rows = [&](auto* of_row) {
         std::array<const std::uint8_t*, 5> about{};
         for (int y = 0; y < region.height; ++y) {
@@ -189,9 +199,9 @@ void transform_region(const Image& picture, const Rectangle& region, Transform t
         case Transform::none:
             return copy(picture, region, out);
         case Transform::gaussian:
-            return smooth(picture, region, out);
+            return smooth(picture, region, rows, out);
         case Transform::sdog:
-            return sign_of_difference(picture, region, out);
+            return sign_of_difference(picture, region, rows, out);
         case Transform::rank3:
             return by_rows(rows.rank3);
         case Transform::rank5:

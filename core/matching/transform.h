@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/image/rectangle.h"
+#include "core/matching/kernels/transform_rows.h"
 
 namespace kambara {
 
@@ -35,9 +36,10 @@ constexpr bool is_binary(Transform transform) {
 
 /// The transform of a region of a picture, which may have 3 channels only for Transform::none. The
 /// region keeps the margin's distance from the border: no border is ever invented. `out` is given
-/// the region's size. In whole numbers, the same on every processor.
+/// the region's size. In whole numbers, the same on every processor and by any of the kernels'
+/// `rows`.
 void transform_region(const Image& picture, const Rectangle& region, Transform transform,
-                      Image& out);
+                      Image& out, const TransformRows& rows = transform_rows());
 
 /// The part of a picture that has a transform; empty sides are 0 or less.
 Rectangle transformable(const Image& picture, Transform transform);

@@ -41,6 +41,9 @@ std::vector<Kernels> gather() {
             use_simd_hamming(kernels);
             use_simd_finish(kernels);
             use_simd_spectrum(kernels);
+            const std::size_t target = hwy::GetChosenTarget().GetIndex();
+            use_simd_transforms(target, kernels.transforms);
+            use_simd_signs(target, kernels.transforms);
             found.push_back(kernels);
         }
     }
@@ -70,6 +73,10 @@ const std::vector<Kernels>& runnable_kernels() {
 const Kernels& best_kernels() {
     static const Kernels& best = choose();
     return best;
+}
+
+const TransformRows& transform_rows() {
+    return best_kernels().transforms;
 }
 
 }  // namespace kambara

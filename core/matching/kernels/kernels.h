@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/matching/kernels/transform_rows.h"
+
 namespace kambara {
 
 /// Bytes that may be read, and need not mean anything, after the last pixel of each row of a plane
@@ -135,6 +137,8 @@ struct Kernels {
     /// The whole numbers nearest to scale * value + offset.
     void (*whole_numbers)(const double* values, int count, double scale, double offset,
                           std::int32_t* out) = nullptr;
+
+    TransformRows transforms;
 };
 
 /// The best implementation this processor can run; KAMBARA_KERNELS=scalar, sse4, avx2, avx512bw (no

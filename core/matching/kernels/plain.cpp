@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The definitions, loop by loop: what every other implementation must equal.
+#include <hwy/targets.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
 
-#include "core/matching/kernels/kernels.h"
+#include "core/matching/kernels/simd.h"
 
 namespace kambara {
 namespace {
@@ -145,6 +146,16 @@ std::uint32_t smallest(const std::uint32_t* costs, int count) {
     return *std::min_element(costs, costs + count);
 }
 
+// Plain loops there, too: those that every processor of this kind runs.
+TransformRows plain_transforms() {
+    hwy::ChosenTarget any;
+    any.Update(HWY_STATIC_TARGET);
+    TransformRows rows{};
+    use_simd_transforms(any.GetIndex(), rows);
+    use_simd_signs(any.GetIndex(), rows);
+    return rows;
+}
+
 }  // namespace
 
 const Kernels& plain_kernels() {
@@ -162,7 +173,8 @@ const Kernels& plain_kernels() {
                                  smallest,
                                  centred_values,
                                  multiply_spectra,
-                                 whole_numbers};
+                                 whole_numbers,
+                                 plain_transforms()};
     return kernels;
 }
 

@@ -16,4 +16,8 @@ void use_simd_hamming(Kernels& kernels);
 void use_simd_finish(Kernels& kernels);
 void use_simd_spectrum(Kernels& kernels);
 
+/// The same of the transforms' rows, for the target of this number in Highway's tables.
+void use_simd_transforms(std::size_t target, TransformRows& rows);
+void use_simd_signs(std::size_t target, TransformRows& rows);
+
 }  // namespace kambara

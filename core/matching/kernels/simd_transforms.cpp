@@ -107,33 +107,19 @@ void gradient(const std::uint8_t* const* rows, int count, std::uint8_t* HWY_REST
     }
 }
 
-template <int RADIUS>
-HWY_INLINE void along(const std::uint8_t* row, const std::int16_t* weights, int count,
-                      std::int16_t* HWY_RESTRICT out) {
-    std::uint16_t w[RADIUS + 1];
-    for (int i = 0; i <= RADIUS; ++i) {
+void smooth_along(const std::uint8_t* row, const std::int16_t* weights, int count,
+                  std::int16_t* HWY_RESTRICT out) {
+    std::uint16_t w[4];
+    for (int i = 0; i <= 3; ++i) {
         w[i] = static_cast<std::uint16_t>(weights[i]);
     }
     for (int x = 0; x < count; ++x) {
         auto sum = static_cast<std::uint16_t>(w[0] * row[x]);
-        for (int i = 1; i <= RADIUS; ++i) {
+        for (int i = 1; i <= 3; ++i) {
             const auto both = static_cast<std::uint16_t>(row[x - i] + row[x + i]);
             sum = static_cast<std::uint16_t>(sum + static_cast<std::uint16_t>(w[i] * both));
         }
         out[x] = static_cast<std::int16_t>(sum >> 2U);
-    }
-}
-
-// The radii in use with loops of their own, which the compiler unrolls.
-void smooth_along(const std::uint8_t* row, const std::int16_t* weights, int radius, int count,
-                  std::int16_t* HWY_RESTRICT out) {
-    switch (radius) {
-        case 2:
-            return along<2>(row, weights, count, out);
-        case 3:
-            return along<3>(row, weights, count, out);
-        default:
-            return along<4>(row, weights, count, out);
     }
 }
 
@@ -151,7 +137,7 @@ void smooth_across(const std::int16_t* const* seven, const std::int16_t* weights
                    std::uint8_t* HWY_RESTRICT out) {
     int x = 0;
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-    // As larger_across, with four terms.
+    // Four terms: symmetric rows are added first, then pairs of terms multiplied and added at once.
     namespace hn = hwy::HWY_NAMESPACE;
     const hn::ScalableTag<std::int16_t> d;
     const hn::RepartitionToWide<decltype(d)> d32;
@@ -182,84 +168,13 @@ void smooth_across(const std::int16_t* const* seven, const std::int16_t* weights
             high = hn::ReorderWidenMulAccumulate(d32, hn::InterleaveUpper(d, a, b), factors[k],
                                                  high, unused);
         }
+        // Packing undoes the interleaving: both work within 128 bits.
         const V grey = hn::ReorderDemote2To(d, hn::ShiftRight<14>(low), hn::ShiftRight<14>(high));
         hn::StoreU(hn::DemoteTo(bytes, grey), bytes, out + x);
     }
 #endif
     for (; x < count; ++x) {
         out[x] = smooth_at(seven, weights, x);
-    }
-}
-
-// One position of what larger_across does.
-HWY_INLINE std::uint8_t larger_at(const std::int16_t* const* five, const std::int16_t* w5,
-                                  const std::int16_t* const* nine, const std::int16_t* w9, int x) {
-    int difference = w5[0] * five[2][x] - w9[0] * nine[4][x];
-    for (int j = 1; j <= 2; ++j) {
-        difference += w5[j] * (five[2 - j][x] + five[2 + j][x]);
-    }
-    for (int j = 1; j <= 4; ++j) {
-        difference -= w9[j] * (nine[4 - j][x] + nine[4 + j][x]);
-    }
-    return difference > 0 ? 1 : 0;
-}
-
-void larger_across(const std::int16_t* const* five, const std::int16_t* w5,
-                   const std::int16_t* const* nine, const std::int16_t* w9, int count,
-                   std::uint8_t* HWY_RESTRICT out) {
-    int x = 0;
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-    // Eight terms: symmetric rows are added first, then pairs of terms multiplied and added at
-    // once.
-    namespace hn = hwy::HWY_NAMESPACE;
-    const hn::ScalableTag<std::int16_t> d;
-    const hn::RepartitionToWide<decltype(d)> d32;
-    const hn::Rebind<std::uint8_t, decltype(d)> bytes;
-    using V = hn::Vec<decltype(d)>;
-    using V32 = hn::Vec<decltype(d32)>;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const std::int16_t factors[8] = {w5[0],
-                                     w5[1],
-                                     w5[2],
-                                     static_cast<std::int16_t>(-w9[0]),
-                                     static_cast<std::int16_t>(-w9[1]),
-                                     static_cast<std::int16_t>(-w9[2]),
-                                     static_cast<std::int16_t>(-w9[3]),
-                                     static_cast<std::int16_t>(-w9[4])};
-    V weights[4];
-    for (int k = 0; k < 4; ++k) {
-        std::int32_t pair;
-        std::memcpy(&pair, factors + 2 * k, sizeof(pair));
-        weights[k] = hn::BitCast(d, hn::Set(d32, pair));
-    }
-    for (; x + lanes <= count; x += lanes) {
-        const V terms[8] = {hn::LoadU(d, five[2] + x),
-                            hn::Add(hn::LoadU(d, five[1] + x), hn::LoadU(d, five[3] + x)),
-                            hn::Add(hn::LoadU(d, five[0] + x), hn::LoadU(d, five[4] + x)),
-                            hn::LoadU(d, nine[4] + x),
-                            hn::Add(hn::LoadU(d, nine[3] + x), hn::LoadU(d, nine[5] + x)),
-                            hn::Add(hn::LoadU(d, nine[2] + x), hn::LoadU(d, nine[6] + x)),
-                            hn::Add(hn::LoadU(d, nine[1] + x), hn::LoadU(d, nine[7] + x)),
-                            hn::Add(hn::LoadU(d, nine[0] + x), hn::LoadU(d, nine[8] + x))};
-        V32 low = hn::Zero(d32);
-        V32 high = hn::Zero(d32);
-        V32 unused = hn::Zero(d32);
-        for (int k = 0; k < 4; ++k) {
-            const V a = terms[2 * k];
-            const V b = terms[2 * k + 1];
-            low = hn::ReorderWidenMulAccumulate(d32, hn::InterleaveLower(d, a, b), weights[k], low,
-                                                unused);
-            high = hn::ReorderWidenMulAccumulate(d32, hn::InterleaveUpper(d, a, b), weights[k],
-                                                 high, unused);
-        }
-        // Packing undoes the interleaving: both work within 128 bits. Clamped, the sign stays.
-        const V difference = hn::ReorderDemote2To(d, low, high);
-        const V larger = hn::IfThenElseZero(hn::Gt(difference, hn::Zero(d)), hn::Set(d, 1));
-        hn::StoreU(hn::DemoteTo(bytes, larger), bytes, out + x);
-    }
-#endif
-    for (; x < count; ++x) {
-        out[x] = larger_at(five, w5, nine, w9, x);
     }
 }
 
@@ -293,7 +208,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace kambara {
-namespace {
 
 HWY_EXPORT(rank3);
 HWY_EXPORT(rank5);
@@ -301,23 +215,16 @@ HWY_EXPORT(census);
 HWY_EXPORT(gradient);
 HWY_EXPORT(smooth_along);
 HWY_EXPORT(smooth_across);
-HWY_EXPORT(larger_across);
 HWY_EXPORT(split);
 
-TransformRows best_rows() {
-    static_cast<void>(best_kernels());  // which sets the target
-    const std::size_t target = hwy::GetChosenTarget().GetIndex();
-    return {HWY_DISPATCH_TABLE(rank3)[target],         HWY_DISPATCH_TABLE(rank5)[target],
-            HWY_DISPATCH_TABLE(census)[target],        HWY_DISPATCH_TABLE(gradient)[target],
-            HWY_DISPATCH_TABLE(smooth_along)[target],  HWY_DISPATCH_TABLE(smooth_across)[target],
-            HWY_DISPATCH_TABLE(larger_across)[target], HWY_DISPATCH_TABLE(split)[target]};
-}
-
-}  // namespace
-
-const TransformRows& transform_rows() {
-    static const TransformRows rows = best_rows();
-    return rows;
+void use_simd_transforms(std::size_t target, TransformRows& rows) {
+    rows.rank3 = HWY_DISPATCH_TABLE(rank3)[target];
+    rows.rank5 = HWY_DISPATCH_TABLE(rank5)[target];
+    rows.census = HWY_DISPATCH_TABLE(census)[target];
+    rows.gradient = HWY_DISPATCH_TABLE(gradient)[target];
+    rows.smooth_along = HWY_DISPATCH_TABLE(smooth_along)[target];
+    rows.smooth_across = HWY_DISPATCH_TABLE(smooth_across)[target];
+    rows.split = HWY_DISPATCH_TABLE(split)[target];
 }
 
 }  // namespace kambara

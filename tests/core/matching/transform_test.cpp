@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "core/matching/matcher.h"
 #include "core/matching/peak.h"
@@ -101,6 +102,83 @@ TEST(Transform, SmoothsAsTheGaussianDoes) {
         }
     }
     EXPECT_GT(clear, 500);
+}
+
+// A Gaussian in whole numbers that sum to 256.
+std::vector<int> whole_weights(double sigma_px, int radius) {
+    double sum = 0.0;
+    for (int i = -radius; i <= radius; ++i) {
+        sum += std::exp(-0.5 * i * i / (sigma_px * sigma_px));
+    }
+    std::vector<int> weights;
+    int others = 0;
+    for (int i = -radius; i <= radius; ++i) {
+        const double exact = 256.0 * std::exp(-0.5 * i * i / (sigma_px * sigma_px)) / sum;
+        weights.push_back(static_cast<int>(std::lround(exact)));
+        others += i == 0 ? 0 : weights.back();
+    }
+    weights[static_cast<std::size_t>(radius)] = 256 - others;
+    return weights;
+}
+
+int weighted_sum(const Image& image, int x, int y, const std::vector<int>& weights) {
+    const int radius = static_cast<int>(weights.size()) / 2;
+    int sum = 0;
+    for (int v = -radius; v <= radius; ++v) {
+        for (int u = -radius; u <= radius; ++u) {
+            sum += weights[static_cast<std::size_t>(v + radius)] *
+                   weights[static_cast<std::size_t>(u + radius)] * image.at(x + u, y + v);
+        }
+    }
+    return sum;
+}
+
+// Noise of few levels has many places where both are equal or almost so; black and white ones
+// reach the ends of what the sums' numbers hold.
+TEST(Transform, SignsAreTheExactOnesByEveryKernel) {
+    std::mt19937 random(7);
+    const std::vector<int> narrow = whole_weights(0.8, 2);
+    const std::vector<int> wide = whole_weights(1.6, 4);
+    for (int round = 0; round < 40; ++round) {
+        Image image = noise(random, 9 + static_cast<int>(random() % 200), 9 + round % 7);
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const int value = image.at(x, y);
+                image.at(x, y) = static_cast<std::uint8_t>(
+                    round % 3 == 0 ? value
+                                   : (round % 3 == 1 ? value / 128 * 255 : 90 + value / 86));
+            }
+        }
+        for (const Kernels& kernels : runnable_kernels()) {
+            Image signs;
+            transform_region(image, transformable(image, Transform::sdog), Transform::sdog, signs,
+                             kernels.transforms);
+            for (int y = 0; y < signs.height(); ++y) {
+                for (int x = 0; x < signs.width(); ++x) {
+                    const bool larger = weighted_sum(image, x + 4, y + 4, narrow) >
+                                        weighted_sum(image, x + 4, y + 4, wide);
+                    ASSERT_EQ(signs.at(x, y), larger ? 1 : 0) << kernels.name << " " << x;
+                }
+            }
+        }
+    }
+}
+
+TEST(Transform, EveryKernelGivesTheSame) {
+    std::mt19937 random(8);
+    for (int round = 0; round < 10; ++round) {
+        const Image image = noise(random, 12 + static_cast<int>(random() % 150), 12);
+        for (const Transform transform : all) {
+            Image plain;
+            const Rectangle region = transformable(image, transform);
+            transform_region(image, region, transform, plain, plain_kernels().transforms);
+            for (const Kernels& kernels : runnable_kernels()) {
+                Image other;
+                transform_region(image, region, transform, other, kernels.transforms);
+                ASSERT_EQ(other, plain) << kernels.name << " " << to_string(transform);
+            }
+        }
+    }
 }
 
 TEST(Transform, GradientIsAQuarterOfSobels) {

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Signs of differences of Gaussians, exactly: both Gaussians along a row in 16 bits, then both
+// across nine such rows in 32 bits. The pixels are less 128, which both sums leave out again.
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/matching/kernels/simd.h"
+#include "core/matching/kernels/transform_rows.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/matching/kernels/simd_signs.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace kambara {
+namespace HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
+
+void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
+                std::int16_t* HWY_RESTRICT out) {
+    for (int x = 0; x < count; ++x) {
+        int narrow = 0;
+        int wide = 0;
+        for (int i = -4; i <= 4; ++i) {
+            const int pixel = row[x + i] - 128;
+            narrow += std::abs(i) <= 2 ? weights.narrow[std::abs(i)] * pixel : 0;
+            wide += weights.wide[std::abs(i)] * pixel;
+        }
+        out[2 * x] = static_cast<std::int16_t>(narrow);
+        out[2 * x + 1] = static_cast<std::int16_t>(wide);
+    }
+}
+
+void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights, int count,
+                   std::uint8_t* HWY_RESTRICT out) {
+    for (int x = 0; x < count; ++x) {
+        int difference = 0;
+        for (int j = -4; j <= 4; ++j) {
+            const std::int16_t* both = nine[j + 4] + 2 * x;
+            difference += std::abs(j) <= 2 ? weights.narrow[std::abs(j)] * both[0] : 0;
+            difference -= weights.wide[std::abs(j)] * both[1];
+        }
+        out[x] = difference > 0 ? 1 : 0;
+    }
+}
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D8 = hn::ScalableTag<std::uint8_t>;
+using D16 = hn::Repartition<std::int16_t, D8>;
+using D32 = hn::Repartition<std::int32_t, D8>;
+using V16 = hn::Vec<D16>;
+using V32 = hn::Vec<D32>;
+
+// Pairs of weights, at most 255 together, times pairs of pixels less 128: 16 bits hold the sums.
+HWY_INLINE V16 sums_of_pairs(V16 weights, hn::Vec<D8> pixels) {
+#if HWY_TARGET == HWY_SSE4
+    return V16{_mm_maddubs_epi16(weights.raw, pixels.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return V16{_mm256_maddubs_epi16(weights.raw, pixels.raw)};
+#else
+    return V16{_mm512_maddubs_epi16(weights.raw, pixels.raw)};
+#endif
+}
+
+// PAIRS pairs of the weights from -RADIUS to RADIUS, the first pair beginning at `first`: where
+// that is outside, with 0.
+template <std::size_t PAIRS, std::size_t SIDE>
+HWY_INLINE void set_pairs(const std::array<std::int16_t, SIDE>& weights, int first,
+                          V16 (&pairs)[PAIRS]) {
+    const auto at = [&](int i) {
+        const auto distance = static_cast<std::size_t>(std::abs(i));
+        return distance < SIDE ? weights[distance] : 0;
+    };
+    for (int k = 0; k < static_cast<int>(PAIRS); ++k) {
+        const int i = first + 2 * k;
+        pairs[k] = hn::Set(D16(), static_cast<std::int16_t>(at(i) | at(i + 1) << 8));
+    }
+}
+
+template <std::size_t PAIRS>
+HWY_INLINE V16 weighted(const hn::Vec<D8>* pixels, const V16 (&weights)[PAIRS]) {
+    V16 sum = sums_of_pairs(weights[0], pixels[0]);
+    for (std::size_t k = 1; k < PAIRS; ++k) {
+        sum = hn::Add(sum, sums_of_pairs(weights[k], pixels[k]));
+    }
+    return sum;
+}
+
+// A vector of pixels makes four of results: of the pixels at even places, then of those at odd
+// ones, the two sums of each side by side.
+void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
+                std::int16_t* HWY_RESTRICT out) {
+    const D8 d8;
+    const D16 d16;
+    constexpr int lanes = static_cast<int>(HWY_LANES(std::uint8_t));
+    const auto zero_level = hn::Set(d8, 128);
+    V16 narrow[2][3];
+    V16 wide[2][5];
+    for (int odd = 0; odd < 2; ++odd) {
+        set_pairs(weights.narrow, -2 - odd, narrow[odd]);
+        set_pairs(weights.wide, -4 - odd, wide[odd]);
+    }
+    for (int x = 0; x < count; x += lanes) {
+        const std::uint8_t* from = row + x - 4;
+        std::uint8_t last[lanes + 8] = {};
+        if (count - x < lanes) {
+            std::copy_n(from, count - x + 8, last);
+            from = last;
+        }
+        hn::Vec<D8> pixels[5];
+        for (int k = 0; k < 5; ++k) {
+            pixels[k] = hn::Xor(hn::LoadU(d8, from + 2 * k), zero_level);
+        }
+        for (int odd = 0; odd < 2; ++odd, out += 2 * hn::Lanes(d16)) {
+            const V16 less = weighted(pixels + 1, narrow[odd]);
+            const V16 more = weighted(pixels, wide[odd]);
+            hn::StoreU(hn::InterleaveLower(d16, less, more), d16, out);
+            hn::StoreU(hn::InterleaveUpper(d16, less, more), d16, out + hn::Lanes(d16));
+        }
+    }
+}
+
+void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights, int count,
+                   std::uint8_t* HWY_RESTRICT out) {
+    const D16 d16;
+    const D32 d32;
+    const hn::RebindToUnsigned<D16> bits;
+    constexpr int lanes = static_cast<int>(HWY_LANES(std::uint8_t));
+    V16 factors[5];
+    for (std::size_t j = 0; j < 5; ++j) {
+        const int pair[] = {j < 3 ? -weights.narrow[j] : 0, weights.wide[j]};
+        factors[j] = hn::BitCast(d16, hn::Set(d32, pair[0] & 0xFFFF | pair[1] << 16));
+    }
+    for (int x = 0; x < count; x += lanes) {
+        V32 sums[4];
+        V32 unused = hn::Zero(d32);
+        for (int k = 0; k < 4; ++k) {
+            sums[k] = hn::Zero(d32);
+            for (int j = 0; j < 9; ++j) {
+                const V16 both =
+                    hn::LoadU(d16, nine[j] + 2 * x + k * static_cast<int>(hn::Lanes(d16)));
+                sums[k] = hn::ReorderWidenMulAccumulate(d32, both, factors[std::abs(j - 4)],
+                                                        sums[k], unused);
+            }
+        }
+        // The sign of more - less. Packing undoes the interleaving: both work within 128 bits.
+        const auto even = hn::BitCast(bits, hn::ReorderDemote2To(d16, sums[0], sums[1]));
+        const auto odd = hn::BitCast(bits, hn::ReorderDemote2To(d16, sums[2], sums[3]));
+        const auto larger =
+            hn::BitCast(D8(), hn::Or(hn::ShiftRight<15>(even),
+                                     hn::And(hn::ShiftRight<7>(odd), hn::Set(bits, 0x100))));
+        if (count - x >= lanes) {
+            hn::StoreU(larger, D8(), out + x);
+        } else {
+            std::uint8_t last[lanes];
+            hn::StoreU(larger, D8(), last);
+            std::copy_n(last, count - x, out + x);
+        }
+    }
+}
+
+#endif
+
+}  // namespace HWY_NAMESPACE
+}  // namespace kambara
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kambara {
+
+HWY_EXPORT(both_along);
+HWY_EXPORT(larger_across);
+
+void use_simd_signs(std::size_t target, TransformRows& rows) {
+    rows.both_along = HWY_DISPATCH_TABLE(both_along)[target];
+    rows.larger_across = HWY_DISPATCH_TABLE(larger_across)[target];
+}
+
+}  // namespace kambara
+#endif
