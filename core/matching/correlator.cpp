@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <type_traits>
 
 namespace kambara {
 namespace {
@@ -38,15 +39,6 @@ void set_factor(PackedTemplate& templ, std::size_t i, int factor) {
     templ.centred16[i] = static_cast<std::int16_t>(factor);
 }
 
-// Eight neighbours of a row of 0 and 1 in the bits of each byte, the nearest in the lowest.
-void gather_bits(std::uint8_t* row, int count) {
-    for (int reach = 1; reach < 8; reach *= 2) {
-        for (int x = 0; x < count; ++x) {
-            row[x] = static_cast<std::uint8_t>(row[x] | (row[x + reach] << reach));
-        }
-    }
-}
-
 void check_size(const Image& templ, const Image* mask, int step) {
     if (templ.width() < 1 || templ.height() < 1 || templ.width() > largest_template_px ||
         templ.height() > largest_template_px || (templ.channels() != 1 && templ.channels() != 3) ||
@@ -59,12 +51,9 @@ void check_size(const Image& templ, const Image* mask, int step) {
     }
 }
 
+// To every step-th place.
 template <class T>
 void spread(const T* from, int count, int step, T* to) {
-    if (step == 1) {
-        std::copy_n(from, count, to);
-        return;
-    }
     for (int x = 0; x < count; ++x) {
         to[x * step] = from[x];
     }
@@ -178,18 +167,23 @@ void Correlator::load(const Image& picture, const Rectangle& region, int first_x
             kernels_->transforms.split(from, bytes, to, to + planes_.plane_stride,
                                        to + 2 * planes_.plane_stride);
         }
+        const bool bits = packed_.column_step == 8;
         for (int c = 0; c < channels_; ++c, to += planes_.plane_stride) {
             if (channels_ == 1 && step_ == 1) {
-                std::memcpy(to, from, static_cast<std::size_t>(bytes));
+                if (bits) {
+                    kernels_->transforms.gather_bits(from, bytes, to);
+                } else {
+                    std::memcpy(to, from, static_cast<std::size_t>(bytes));
+                }
             } else if (step_ != 1) {
                 for (int x = 0; x < bytes; ++x) {
                     to[x] = from[x * step_ * channels_ + c];
                 }
+                if (bits) {
+                    kernels_->transforms.gather_bits(to, bytes, to);
+                }
             }
             std::memset(to + bytes, 0, static_cast<std::size_t>(planes_.stride - bytes));
-            if (packed_.column_step == 8) {
-                gather_bits(to, bytes);
-            }
         }
     }
 }
@@ -236,17 +230,14 @@ void Correlator::scores(const Image& picture, const Rectangle& positions, ScoreM
 
 void Correlator::scan(int columns, int rows, int first_x, int first_y, ScoreMap& map) {
     const bool cost = is_cost(measure_);
-    Block block{columns, 0, whole_groups(columns)};
-    const auto strip = static_cast<std::size_t>(block.stride * strip_rows);
+    const auto strip = static_cast<std::size_t>(whole_groups(columns) * strip_rows);
     const auto line = static_cast<std::size_t>(whole_groups(columns) +
                                                2 * whole_groups(width_ + 3) + kernel_columns);
-    make_room(costs_, cost ? strip : 0);
     spectral_ = !cost && !by_products_ &&
                 (way_ == Way::spectrum ||
                  (way_ == Way::quickest && SpectralDot::pays(packed_, columns, rows)));
-    make_room(dots_, spectral_ ? static_cast<std::size_t>(block.stride * rows) : strip);
+    make_room(dots_, spectral_ ? static_cast<std::size_t>(whole_groups(columns) * rows) : strip);
     make_room(wide_, by_products_ ? 3 * strip : 0);
-    make_room(scores_, cost ? 0 : strip);
     for (auto* vector : {&sums_, &squares_, &column_sums_, &column_squares_}) {
         make_room(*vector, line);
     }
@@ -258,29 +249,35 @@ void Correlator::scan(int columns, int rows, int first_x, int first_y, ScoreMap&
             spectral_dot_.set_template(packed_);
             spectral_known_ = true;
         }
-        spectral_dot_.dot(planes_, {columns, rows, block.stride}, dots_.data());
+        spectral_dot_.dot(planes_, {columns, rows, whole_groups(columns)}, dots_.data());
     }
+    if (cost) {
+        scan_strips(columns, rows, first_x, first_y, costs_, map.positions.width, map.costs);
+    } else {
+        scan_strips(columns, rows, first_x, first_y, scores_, map.positions.width, map.scores);
+    }
+}
+
+template <class T>
+void Correlator::scan_strips(int columns, int rows, int first_x, int first_y, std::vector<T>& strip,
+                             int map_width, std::vector<T>& map) {
+    const bool straight = step_ == 1;
+    make_room(strip, straight ? 0 : static_cast<std::size_t>(columns * strip_rows));
+    Block block{columns, 0, straight ? map_width : columns};
     for (int row = 0; row < rows; row += strip_rows) {
+        const auto place = [&](int y) {
+            return map.data() +
+                   static_cast<std::ptrdiff_t>(first_y + (row + y) * step_) * map_width + first_x;
+        };
         block.rows = std::min(strip_rows, rows - row);
-        if (measure_ == Measure::hamming) {
-            score_bits(block, row);
-        } else if (measure_ == Measure::sad) {
-            score_sads(block, row);
-        } else if (by_products_) {
-            score_by_products(block, row);
+        T* to = straight ? place(0) : strip.data();
+        if constexpr (std::is_same_v<T, float>) {
+            by_products_ ? score_by_products(block, row, to) : score_correlations(block, row, to);
         } else {
-            score_correlations(block, row);
+            measure_ == Measure::sad ? score_sads(block, row, to) : score_bits(block, row, to);
         }
-        for (int y = 0; y < block.rows; ++y) {
-            const std::size_t to = static_cast<std::size_t>(first_y + (row + y) * step_) *
-                                       static_cast<std::size_t>(map.positions.width) +
-                                   static_cast<std::size_t>(first_x);
-            const auto from = static_cast<std::size_t>(y * block.stride);
-            if (cost) {
-                spread(costs_.data() + from, columns, step_, map.costs.data() + to);
-            } else {
-                spread(scores_.data() + from, columns, step_, map.scores.data() + to);
-            }
+        for (int y = 0; !straight && y < block.rows; ++y) {
+            spread(to + y * block.stride, columns, step_, place(y));
         }
     }
 }

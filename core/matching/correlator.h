@@ -43,10 +43,14 @@ class Correlator {
               int rows);
     void load_squares();
     void scan(int columns, int rows, int first_x, int first_y, ScoreMap& map);
-    void score_sads(const Block& block, int row);
-    void score_bits(const Block& block, int row);
-    void score_correlations(const Block& block, int row);
-    void score_by_products(const Block& block, int row);
+    // Strips of rows into the map itself, or, with a step, into a strip that is spread over it.
+    template <class T>
+    void scan_strips(int columns, int rows, int first_x, int first_y, std::vector<T>& strip,
+                     int map_width, std::vector<T>& map);
+    void score_sads(const Block& block, int row, std::uint32_t* costs);
+    void score_bits(const Block& block, int row, std::uint32_t* costs);
+    void score_correlations(const Block& block, int row, float* scores);
+    void score_by_products(const Block& block, int row, float* scores);
     void roll_to(int row, int first_column, int columns);
     Planes planes_from(int row) const;
 

@@ -30,43 +30,47 @@ void Correlator::roll_to(int row, int first_column, int columns) {
     }
 }
 
-void Correlator::score_bits(const Block& block, int row) {
-    kernels_->hamming(planes_from(row), packed_, block, costs_.data());
+void Correlator::score_bits(const Block& block, int row, std::uint32_t* costs) {
+    kernels_->hamming(planes_from(row), packed_, block, costs);
 }
 
 // Kernels may count what is not under the template as compared with 0: it is taken off again.
-void Correlator::score_sads(const Block& block, int row) {
-    kernels_->sad(planes_from(row), packed_, block, costs_.data());
+void Correlator::score_sads(const Block& block, int row, std::uint32_t* costs) {
+    kernels_->sad(planes_from(row), packed_, block, costs);
     const int padding = kernels_->sad_counts_padding ? packed_.padded_width - width_ : 0;
     if (masked_) {
-        kernels_->dot(planes_from(row), outside_, block, dots_.data());
-        for (std::size_t i = 0; i < static_cast<std::size_t>(block.stride * block.rows); ++i) {
-            costs_[i] -= static_cast<std::uint32_t>(dots_[i]);
+        const Block strip{block.columns, block.rows, whole_groups(block.columns)};
+        kernels_->dot(planes_from(row), outside_, strip, dots_.data());
+        for (int y = 0; y < block.rows; ++y) {
+            for (int x = 0; x < block.columns; ++x) {
+                costs[y * block.stride + x] -= static_cast<std::uint32_t>(
+                    dots_[static_cast<std::size_t>(y * strip.stride + x)]);
+            }
         }
     } else if (padding > 0) {
         for (int y = 0; y < block.rows; ++y) {
             roll_to(row + y, width_, block.columns + padding);
-            kernels_->take_off(column_sums_.data(), padding, whole_groups(block.columns),
-                               costs_.data() + y * block.stride);
+            kernels_->take_off(column_sums_.data(), padding, block.columns,
+                               costs + y * block.stride);
         }
     }
 }
 
-void Correlator::score_correlations(const Block& block, int row) {
+void Correlator::score_correlations(const Block& block, int row, float* scores) {
+    const Block strip{block.columns, block.rows, whole_groups(block.columns)};
     const std::int32_t* dots = dots_.data();
     if (spectral_) {
-        dots += row * block.stride;
+        dots += row * strip.stride;
     } else {
-        kernels_->dot(planes_from(row), packed_, block, dots_.data());
+        kernels_->dot(planes_from(row), packed_, strip, dots_.data());
     }
-    const int columns = whole_vectors(block.columns);
     const int summed = whole_vectors(block.columns + width_ - 1);
     for (int y = 0; y < block.rows; ++y) {
         roll_to(row + y, 0, summed);
         kernels_->prefix_sums(column_sums_.data(), summed, sums_.data());
         kernels_->prefix_sums(column_squares_.data(), summed, squares_.data());
-        kernels_->correlate(dots + y * block.stride, sums_.data(), squares_.data(), width_, columns,
-                            normalisation_, scores_.data() + y * block.stride);
+        kernels_->correlate(dots + y * strip.stride, sums_.data(), squares_.data(), width_,
+                            block.columns, normalisation_, scores + y * block.stride);
     }
 }
 
@@ -85,8 +89,9 @@ void Correlator::load_squares() {
 }
 
 // Under a mask, or over more pixels than 32 bits hold, every sum is a dot product of one plane.
-void Correlator::score_by_products(const Block& block, int row) {
-    const auto cells = static_cast<std::size_t>(block.stride * block.rows);
+void Correlator::score_by_products(const Block& block, int row, float* scores) {
+    const Block strip{block.columns, block.rows, whole_groups(block.columns)};
+    const auto cells = static_cast<std::size_t>(strip.stride * strip.rows);
     std::fill_n(wide_.begin(), 3 * cells, 0.0);
     double* products = wide_.data();
     double* sums = products + cells;
@@ -95,7 +100,7 @@ void Correlator::score_by_products(const Block& block, int row) {
                          const PackedTemplate& templ, double factor, double* to) {
         Planes planes = planes_from(row);
         planes.pixels = pixels.data() + row * planes_.stride + plane * planes_.plane_stride;
-        kernels_->dot(planes, templ, block, dots_.data());
+        kernels_->dot(planes, templ, strip, dots_.data());
         for (std::size_t i = 0; i < cells; ++i) {
             to[i] += factor * dots_[i];
         }
@@ -108,16 +113,20 @@ void Correlator::score_by_products(const Block& block, int row) {
     }
     const Normalisation& norm = normalisation_;
     const auto template_factor = static_cast<float>(norm.template_squares);
-    for (std::size_t i = 0; i < cells; ++i) {
-        const double numerator = norm.zero_mean
-                                     ? norm.count * products[i] - sums[i] * norm.template_sum
-                                     : products[i] + 128.0 * sums[i];
-        const double variance =
-            norm.zero_mean ? norm.count * squares[i] - sums[i] * sums[i] : squares[i];
-        const float product = static_cast<float>(variance) * template_factor;
-        scores_[i] = product > 0.0F ? std::clamp(static_cast<float>(numerator) / std::sqrt(product),
-                                                 -1.0F, 1.0F)
-                                    : 0.0F;
+    for (int y = 0; y < block.rows; ++y) {
+        for (int x = 0; x < block.columns; ++x) {
+            const auto i = static_cast<std::size_t>(y * strip.stride + x);
+            const double numerator = norm.zero_mean
+                                         ? norm.count * products[i] - sums[i] * norm.template_sum
+                                         : products[i] + 128.0 * sums[i];
+            const double variance =
+                norm.zero_mean ? norm.count * squares[i] - sums[i] * sums[i] : squares[i];
+            const float product = static_cast<float>(variance) * template_factor;
+            scores[y * block.stride + x] =
+                product > 0.0F
+                    ? std::clamp(static_cast<float>(numerator) / std::sqrt(product), -1.0F, 1.0F)
+                    : 0.0F;
+        }
     }
 }
 

@@ -60,8 +60,7 @@ struct PackedTemplate {
     void centre();  ///< makes the centred copies from `bytes`
 };
 
-/// A block of positions, the first over the planes' first pixel. Kernels fill whole groups of
-/// columns: `stride` leaves room for that.
+/// A block of positions, the first over the planes' first pixel.
 struct Block {
     int columns = 0;
     int rows = 0;
@@ -88,7 +87,8 @@ struct SpectrumPart {
 struct Kernels {
     std::string name;
 
-    /// sum(I (T - 128)) at each position. At most 65,793 template pixels: 32 bits hold them.
+    /// sum(I (T - 128)) at each position. At most 65,793 template pixels: 32 bits hold them. Fills
+    /// whole groups of columns, unlike the others here.
     void (*dot)(const Planes&, const PackedTemplate&, const Block&, std::int32_t* out) = nullptr;
 
     /// sum(abs(I - T)) at each position. At most 2^24 pixels.
@@ -104,8 +104,7 @@ struct Kernels {
     void (*roll_columns)(const std::uint8_t* added, const std::uint8_t* removed, int count,
                          std::uint32_t* sums, std::uint32_t* squares) = nullptr;
 
-    /// costs[x] -= sums[x] + ... + sums[x + width - 1], for a small width and whole groups of
-    /// columns.
+    /// costs[x] -= sums[x] + ... + sums[x + width - 1], for a small width.
     void (*take_off)(const std::uint32_t* sums, int width, int count,
                      std::uint32_t* costs) = nullptr;
 
@@ -113,8 +112,8 @@ struct Kernels {
     void (*prefix_sums)(const std::uint32_t* values, int count, std::uint32_t* out) = nullptr;
 
     /// A row of correlations from dot products and the prefix sums of columns of values and squares
-    /// under a template of `width` columns. A flat patch, or a flat template, gives 0. Whole
-    /// vectors of columns.
+    /// under a template of `width` columns. A flat patch, or a flat template, gives 0. What is
+    /// read is there for whole vectors of columns.
     void (*correlate)(const std::int32_t* dot, const std::uint32_t* sums,
                       const std::uint32_t* squares, int width, int count, const Normalisation&,
                       float* out) = nullptr;

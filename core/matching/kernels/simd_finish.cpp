@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sums of columns, and the step from integer sums to correlations.
+#include <algorithm>
+
 #include "core/matching/kernels/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -69,13 +71,16 @@ void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int co
 
 void take_off(const std::uint32_t* sums, int width, int count, std::uint32_t* costs) {
     const DU32 d;
-    for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(d))) {
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    int x = 0;
+    for (; x + lanes <= count; x += lanes) {
         VU32 cost = hn::LoadU(d, costs + x);
         for (int i = 0; i < width; ++i) {
             cost = hn::Sub(cost, hn::LoadU(d, sums + x + i));
         }
         hn::StoreU(cost, d, costs + x);
     }
+    plain_kernels().take_off(sums + x, width, count - x, costs + x);
 }
 
 // Sums from the first lane on, within each 128 bits, then across them.
@@ -137,6 +142,18 @@ HWY_INLINE VF score_of(VF numerator, VF variance, VF template_factor) {
     return hn::IfThenElseZero(hn::Gt(product, hn::Zero(df)), clamped);
 }
 
+// The last vector may be a part of one.
+HWY_INLINE void store_scores(VF scores, int count, float* out) {
+    const DF d;
+    if (count >= static_cast<int>(hn::Lanes(d))) {
+        hn::StoreU(scores, d, out);
+    } else {
+        float last[HWY_LANES(float)];
+        hn::StoreU(scores, d, last);
+        std::copy_n(last, count, out);
+    }
+}
+
 // Up to this many pixels, N C - S sum(T) and N Q - S^2 fit into 32 bits.
 constexpr double most_in_32_bits = 363.0;
 
@@ -165,7 +182,7 @@ void correlate_small(const std::int32_t* dots, const std::uint32_t* sums,
             numerator = float_of(hn::Add(hn::BitCast(du, dot), hn::ShiftLeft<7>(sum)));
             variance = float_of(square);
         }
-        hn::StoreU(score_of(numerator, variance, template_factor), df, out + x);
+        store_scores(score_of(numerator, variance, template_factor), count - x, out + x);
     }
 }
 
@@ -232,9 +249,9 @@ void correlate_large(const std::int32_t* dots, const std::uint32_t* sums,
             numerators[i] = hn::DemoteTo(float_half, numerator);
             variances[i] = hn::DemoteTo(float_half, variance);
         }
-        hn::StoreU(score_of(hn::Combine(df, numerators[1], numerators[0]),
-                            hn::Combine(df, variances[1], variances[0]), template_factor),
-                   df, out + x);
+        store_scores(score_of(hn::Combine(df, numerators[1], numerators[0]),
+                              hn::Combine(df, variances[1], variances[0]), template_factor),
+                     count - x, out + x);
     }
 }
 

@@ -56,15 +56,6 @@ HWY_INLINE Bytes image_group(const std::uint8_t* pixels) {
 HWY_INLINE Sums add_differences(Sums sums, Bytes image, Bytes templ) {
     return _mm512_add_epi16(sums, _mm512_dbsad_epu8(templ, image, 0x94));
 }
-HWY_INLINE void empty(Sums sums, std::uint32_t* out) {
-    for (int half = 0; half < 2; ++half) {
-        const __m256i words =
-            half == 0 ? _mm512_castsi512_si256(sums) : _mm512_extracti64x4_epi64(sums, 1);
-        std::uint32_t* to = out + 16 * half;
-        _mm512_storeu_si512(to,
-                            _mm512_add_epi32(_mm512_loadu_si512(to), _mm512_cvtepu16_epi32(words)));
-    }
-}
 
 #elif HWY_TARGET == HWY_AVX2
 
@@ -128,13 +119,7 @@ HWY_INLINE Sums add_differences(Sums sums, Bytes image, Bytes templ) {
         : "x"(image), "x"(templ));
     return sums;
 }
-constexpr bool starts_at_zero = false;
-HWY_INLINE void empty(Sums left, Sums right, std::uint32_t* out) {
-    const __m256 both =
-        _mm256_shuffle_ps(_mm256_castsi256_ps(left), _mm256_castsi256_ps(right), 0x88);
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out),
-                        _mm256_permute4x64_epi64(_mm256_castps_si256(both), 0xD8));
-}
+using Stored = std::uint64_t;
 
 #elif HWY_TARGET == HWY_SSE4
 
@@ -159,13 +144,6 @@ HWY_INLINE Bytes image_group(const std::uint8_t* pixels) {
 }
 HWY_INLINE Sums add_differences(Sums sums, Bytes image, Bytes templ) {
     return _mm_add_epi16(sums, _mm_mpsadbw_epu8(image, templ, 0));
-}
-HWY_INLINE void empty(Sums sums, std::uint32_t* out) {
-    for (int half = 0; half < 2; ++half) {
-        const __m128i words = half == 0 ? sums : _mm_srli_si128(sums, 8);
-        auto* to = reinterpret_cast<__m128i*>(out + 4 * half);
-        _mm_storeu_si128(to, _mm_add_epi32(_mm_loadu_si128(to), _mm_cvtepu16_epi32(words)));
-    }
 }
 
 #else
@@ -192,23 +170,12 @@ HWY_INLINE Bytes image_group(const std::uint8_t* pixels) {
 HWY_INLINE Sums add_differences(Sums sums, Bytes image, Bytes templ) {
     return hn::Add(sums, hn::Add(hn::SaturatedSub(image, templ), hn::SaturatedSub(templ, image)));
 }
-HWY_INLINE void empty(Sums sums, std::uint32_t* out) {
-    std::uint16_t words[8];
-    hn::StoreU(sums, D16(), words);
-    for (int i = 0; i < 8; ++i) {
-        out[i] += words[i];
-    }
-}
 
 #endif
 
 #if HWY_TARGET != HWY_AVX2
 constexpr bool counts_padding = true;
-constexpr bool starts_at_zero = true;  // the sums are added to what is there
-HWY_INLINE void empty(Sums left, Sums right, std::uint32_t* out) {
-    empty(left, out);
-    empty(right, out + in_vector);
-}
+using Stored = std::uint16_t;
 struct Order {};
 constexpr Order any_order{};
 HWY_INLINE const Order& order_for(int) {
@@ -256,11 +223,11 @@ HWY_INLINE void clear(RowSums& sums) {
     }
 }
 
-template <int ROWS, int R = 0>
-HWY_INLINE void empty_all(const RowSums& sums, std::uint32_t* out, std::ptrdiff_t out_stride) {
-    if constexpr (R < ROWS) {
-        empty(sums[R][0], sums[R][1], out + R * out_stride);
-        empty_all<ROWS, R + 1>(sums, out, out_stride);
+template <int ROWS, int I = 0>
+HWY_INLINE void store(const RowSums& sums, Stored* out) {
+    if constexpr (I < ROWS * vectors) {
+        std::memcpy(out + I * in_vector, &sums[I / vectors][I % vectors], sizeof(Sums));
+        store<ROWS, I + 1>(sums, out);
     }
 }
 
@@ -281,16 +248,47 @@ struct Descent {
     std::ptrdiff_t image_stride;
     const std::uint8_t* of_templ;  // in the template row that the first output row sees
     const Order* order;
+    int columns;  // of positions that there are
     std::uint32_t* out;
     std::ptrdiff_t out_stride;
-    int in_sum;  // groups that the sums hold already
+    int in_sum;    // groups that the sums hold already
+    bool emptied;  // at least once
 };
+
+// Sums to `out`, added to what is there or not. Not a part of the loops that make them, which need
+// all registers.
+template <int ROWS>
+HWY_NOINLINE void widen(const Stored* sums, const Descent& at) {
+    constexpr int most = vectors * in_vector;
+    const int columns = at.columns < most ? at.columns : most;
+    for (int r = 0; r < ROWS; ++r) {
+        const Stored* HWY_RESTRICT from = sums + r * most;
+        std::uint32_t* HWY_RESTRICT to = at.out + r * at.out_stride;
+        if (at.emptied) {
+            for (int x = 0; x < columns; ++x) {
+                to[x] += static_cast<std::uint32_t>(from[x]);
+            }
+        } else {
+            for (int x = 0; x < columns; ++x) {
+                to[x] = static_cast<std::uint32_t>(from[x]);
+            }
+        }
+    }
+}
+
+template <int ROWS>
+HWY_INLINE void empty_all(Descent& at, const RowSums& sums) {
+    alignas(64) Stored stored[ROWS * vectors * in_vector];
+    store<ROWS>(sums, stored);
+    widen<ROWS>(stored, at);
+    at.emptied = true;
+}
 
 template <int ROWS, int FIRST, int LAST>
 HWY_INLINE void add_next(Descent& at, const std::uint8_t* of_first, RowSums& sums) {
     if constexpr (most_in_sum > 0) {
         if (at.in_sum == most_in_sum) {
-            empty_all<ROWS>(sums, at.out, at.out_stride);
+            empty_all<ROWS>(at, sums);
             clear<ROWS>(sums);
             at.in_sum = 0;
         }
@@ -324,11 +322,12 @@ HWY_INLINE void add_falling(Descent& at, const std::uint8_t* last_row, RowSums& 
 // ROWS output rows of one group of positions. ROWS is not above the template's height.
 template <int ROWS>
 HWY_NOINLINE void sad_rows(const Planes& image, const PackedTemplate& templ, const Groups& groups,
-                           const std::uint8_t* first_pixel, std::uint32_t* out,
+                           const std::uint8_t* first_pixel, int columns, std::uint32_t* out,
                            std::ptrdiff_t out_stride) {
     RowSums sums;
     clear<ROWS>(sums);
-    Descent at{first_pixel, image.stride, groups.bytes.data(), nullptr, out, out_stride, 0};
+    Descent at{first_pixel, image.stride, groups.bytes.data(), nullptr, columns, out, out_stride,
+               0,           false};
     for (int plane = 0; plane < templ.planes; ++plane) {
         for (std::ptrdiff_t g = 0; g < groups.in_row; ++g) {
             at.pixels = first_pixel + plane * image.plane_stride + g * group;
@@ -341,19 +340,20 @@ HWY_NOINLINE void sad_rows(const Planes& image, const PackedTemplate& templ, con
             add_falling<ROWS, 1>(at, at.of_templ - group, sums);
         }
     }
-    empty_all<ROWS>(sums, out, out_stride);
+    empty_all<ROWS>(at, sums);
 }
 
 template <int ROWS>
 void sad_few_rows(int rows, const Planes& image, const PackedTemplate& templ, const Groups& groups,
-                  const std::uint8_t* pixels, std::uint32_t* out, std::ptrdiff_t out_stride) {
+                  const std::uint8_t* pixels, int columns, std::uint32_t* out,
+                  std::ptrdiff_t out_stride) {
     if constexpr (ROWS > 1) {
         if (rows < ROWS) {
-            sad_few_rows<ROWS - 1>(rows, image, templ, groups, pixels, out, out_stride);
+            sad_few_rows<ROWS - 1>(rows, image, templ, groups, pixels, columns, out, out_stride);
             return;
         }
     }
-    sad_rows<ROWS>(image, templ, groups, pixels, out, out_stride);
+    sad_rows<ROWS>(image, templ, groups, pixels, columns, out, out_stride);
 }
 
 void sad(const Planes& image, const PackedTemplate& templ, const Block& block, std::uint32_t* out) {
@@ -362,13 +362,11 @@ void sad(const Planes& image, const PackedTemplate& templ, const Block& block, s
     groups.take(templ);
     for (int y = 0; y < block.rows;) {
         const int rows = std::min({most_rows, block.rows - y, templ.height});
-        for (int r = 0; starts_at_zero && r < rows; ++r) {
-            std::fill_n(out + (y + r) * block.stride, whole_groups(block.columns), 0U);
-        }
         for (int x = 0; x < block.columns; x += columns) {
             const std::uint8_t* pixels = image.pixels + y * image.stride + x;
             std::uint32_t* to = out + y * block.stride + x;
-            sad_few_rows<most_rows>(rows, image, templ, groups, pixels, to, block.stride);
+            sad_few_rows<most_rows>(rows, image, templ, groups, pixels, block.columns - x, to,
+                                    block.stride);
         }
         y += rows;
     }

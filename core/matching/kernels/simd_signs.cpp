@@ -46,6 +46,16 @@ void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights,
     }
 }
 
+void gather_bits(const std::uint8_t* row, int count, std::uint8_t* out) {
+    for (int x = 0; x < count; ++x) {
+        int bits = 0;
+        for (int i = std::min(7, count - 1 - x); i >= 0; --i) {
+            bits = 2 * bits + row[x + i];
+        }
+        out[x] = static_cast<std::uint8_t>(bits);
+    }
+}
+
 #else
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -172,6 +182,30 @@ void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights,
     }
 }
 
+void gather_bits(const std::uint8_t* row, int count, std::uint8_t* out) {
+    const D8 d;
+    constexpr int lanes = static_cast<int>(HWY_LANES(std::uint8_t));
+    for (int x = 0; x < count; x += lanes) {
+        const std::uint8_t* from = row + x;
+        std::uint8_t last[lanes + 7] = {};
+        const bool whole = count - x >= lanes + 7;
+        if (!whole) {
+            std::copy_n(from, std::min(count - x, lanes + 7), last);
+            from = last;
+        }
+        auto bits = hn::LoadU(d, from + 7);
+        for (int i = 6; i >= 0; --i) {
+            bits = hn::Add(hn::Add(bits, bits), hn::LoadU(d, from + i));
+        }
+        if (whole) {
+            hn::StoreU(bits, d, out + x);
+        } else {
+            hn::StoreU(bits, d, last);
+            std::copy_n(last, std::min(count - x, lanes), out + x);
+        }
+    }
+}
+
 #endif
 
 }  // namespace HWY_NAMESPACE
@@ -183,10 +217,12 @@ namespace kambara {
 
 HWY_EXPORT(both_along);
 HWY_EXPORT(larger_across);
+HWY_EXPORT(gather_bits);
 
 void use_simd_signs(std::size_t target, TransformRows& rows) {
     rows.both_along = HWY_DISPATCH_TABLE(both_along)[target];
     rows.larger_across = HWY_DISPATCH_TABLE(larger_across)[target];
+    rows.gather_bits = HWY_DISPATCH_TABLE(gather_bits)[target];
 }
 
 }  // namespace kambara

@@ -40,6 +40,10 @@ struct TransformRows {
     void (*larger_across)(const std::int16_t* const* nine, const TwoGaussians& weights, int count,
                           std::uint8_t* out);
 
+    /// Of a row of 0 and 1, each with the seven after it (none after the last) as the bits of a
+    /// byte, the nearest in the lowest. May be done in place.
+    void (*gather_bits)(const std::uint8_t* row, int count, std::uint8_t* out);
+
     /// Three channels of interleaved pixels apart.
     void (*split)(const std::uint8_t* pixels, int count, std::uint8_t* first, std::uint8_t* second,
                   std::uint8_t* third);
