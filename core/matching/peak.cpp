@@ -63,22 +63,32 @@ std::optional<Peak> best_peak(const ScoreMap& map, Measure measure,
                               std::optional<Eigen::Vector2d> expected) {
     const Rectangle& r = map.positions;
     Peak peak;
+    // First in which rows the best score is: few of them are then looked through.
+    int first = r.y;
+    int last = r.y - 1;
+    for (int y = r.y; y < r.y + r.height && r.width > 0; ++y) {
+        const double best = best_of(map, measure, r.x, y, r.width);
+        const bool best_so_far = last < first || better(measure, best, peak.score);
+        if (best_so_far || best == peak.score) {
+            peak.score = best;
+            first = best_so_far ? y : first;
+            last = y;
+        }
+    }
     double nearest = 0.0;
     bool found = false;
-    for (int y = r.y; y < r.y + r.height; ++y) {
-        const double best = best_of(map, measure, r.x, y, r.width);
-        if (found && !better(measure, best, peak.score) && best != peak.score) {
+    for (int y = first; y <= last; ++y) {
+        if (first < last && best_of(map, measure, r.x, y, r.width) != peak.score) {
             continue;
         }
         for (int x = r.x; x < r.x + r.width; ++x) {
-            if (map.at(x, y) != best || !map.searched(x, y)) {
+            if (map.at(x, y) != peak.score || !map.searched(x, y)) {
                 continue;
             }
             const double distance =
                 expected ? (Eigen::Vector2d(x, y) - *expected).squaredNorm() : 0.0;
-            if (!found || better(measure, best, peak.score) || distance < nearest) {
+            if (!found || distance < nearest) {
                 found = true;
-                peak.score = best;
                 peak.whole_x = x;
                 peak.whole_y = y;
                 nearest = distance;

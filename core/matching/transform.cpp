@@ -112,11 +112,14 @@ void sign_of_difference(const Image& picture, const Rectangle& region, const Tra
     const TwoGaussians weights{gaussian_weights<narrow_radius>(0.8),
                                gaussian_weights<wide_radius>(1.6)};
     const auto along = [&](int y, std::int16_t* to) {
-        by.both_along(picture.row(region.y + y) + region.x, weights, region.width, to);
+        const int readable = (picture.height() - region.y - y) * picture.width() - region.x;
+        by.both_along(picture.row(region.y + y) + region.x, weights, region.width, readable, to);
     };
     RowsAlong<wide_radius> rows(2 * whole_groups(region.width), along);
     for (int y = 0; y < region.height; ++y) {
-        by.larger_across(rows.about(y, along), weights, region.width, out.row(y));
+        // Rows from the first on: what is written beyond one's end is written over by the next.
+        by.larger_across(rows.about(y, along), weights, region.width,
+                         (region.height - y) * region.width, out.row(y));
     }
 }
 

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
 
-void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
+void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count, int,
                 std::int16_t* HWY_RESTRICT out) {
     for (int x = 0; x < count; ++x) {
         int narrow = 0;
@@ -33,7 +33,7 @@ void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
     }
 }
 
-void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights, int count,
+void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights, int count, int,
                    std::uint8_t* HWY_RESTRICT out) {
     for (int x = 0; x < count; ++x) {
         int difference = 0;
@@ -88,19 +88,8 @@ HWY_INLINE V32 add_products(V32 sum, V16 a, V16 b) {
 #endif
 }
 
-// PAIRS pairs of the weights from -RADIUS to RADIUS, the first pair beginning at `first`: where
-// that is outside, with 0.
-template <std::size_t PAIRS, std::size_t SIDE>
-HWY_INLINE void set_pairs(const std::array<std::int16_t, SIDE>& weights, int first,
-                          V16 (&pairs)[PAIRS]) {
-    const auto at = [&](int i) {
-        const auto distance = static_cast<std::size_t>(std::abs(i));
-        return distance < SIDE ? weights[distance] : 0;
-    };
-    for (int k = 0; k < static_cast<int>(PAIRS); ++k) {
-        const int i = first + 2 * k;
-        pairs[k] = hn::Set(D16(), static_cast<std::int16_t>(at(i) | at(i + 1) << 8));
-    }
+HWY_INLINE V16 in_all_lanes(std::uint32_t pair) {
+    return hn::BitCast(D16(), hn::Set(hn::RebindToUnsigned<D32>(), pair));
 }
 
 template <std::size_t PAIRS>
@@ -114,7 +103,7 @@ HWY_INLINE V16 weighted(const hn::Vec<D8>* pixels, const V16 (&weights)[PAIRS]) 
 
 // A vector of pixels makes four of results: of the pixels at even places, then of those at odd
 // ones, the two sums of each side by side.
-void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
+void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count, int readable,
                 std::int16_t* HWY_RESTRICT out) {
     const D8 d8;
     const D16 d16;
@@ -122,14 +111,18 @@ void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
     const auto zero_level = hn::Set(d8, 128);
     V16 narrow[2][3];
     V16 wide[2][5];
-    for (int odd = 0; odd < 2; ++odd) {
-        set_pairs(weights.narrow, -2 - odd, narrow[odd]);
-        set_pairs(weights.wide, -4 - odd, wide[odd]);
+    for (std::size_t odd = 0; odd < 2; ++odd) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            narrow[odd][k] = in_all_lanes(weights.narrow_pairs[odd][k]);
+        }
+        for (std::size_t k = 0; k < 5; ++k) {
+            wide[odd][k] = in_all_lanes(weights.wide_pairs[odd][k]);
+        }
     }
+    std::uint8_t last[lanes + 8] = {};
     for (int x = 0; x < count; x += lanes) {
         const std::uint8_t* from = row + x - 4;
-        std::uint8_t last[lanes + 8] = {};
-        if (count - x < lanes) {
+        if (readable - x < lanes + 4) {
             std::copy_n(from, count - x + 8, last);
             from = last;
         }
@@ -147,15 +140,14 @@ void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
 }
 
 void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights, int count,
-                   std::uint8_t* HWY_RESTRICT out) {
+                   int writable, std::uint8_t* HWY_RESTRICT out) {
     const D16 d16;
     const D32 d32;
     const hn::RebindToUnsigned<D16> bits;
     constexpr int lanes = static_cast<int>(HWY_LANES(std::uint8_t));
     V16 factors[5];
     for (std::size_t j = 0; j < 5; ++j) {
-        const int pair[] = {j < 3 ? -weights.narrow[j] : 0, weights.wide[j]};
-        factors[j] = hn::BitCast(d16, hn::Set(d32, pair[0] & 0xFFFF | pair[1] << 16));
+        factors[j] = in_all_lanes(weights.across[j]);
     }
     for (int x = 0; x < count; x += lanes) {
         V32 sums[4];
@@ -172,7 +164,7 @@ void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights,
         const auto larger =
             hn::BitCast(D8(), hn::Or(hn::ShiftRight<15>(even),
                                      hn::And(hn::ShiftRight<7>(odd), hn::Set(bits, 0x100))));
-        if (count - x >= lanes) {
+        if (writable - x >= lanes) {
             hn::StoreU(larger, D8(), out + x);
         } else {
             std::uint8_t last[lanes];
@@ -182,29 +174,58 @@ void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights,
     }
 }
 
+#if HWY_TARGET == HWY_AVX3_DL
+
+// Bits of `count` pixels, at most 64; 0 after the last.
+HWY_INLINE std::uint64_t bits_of(const std::uint8_t* row, int count) {
+    const __mmask64 there = count >= 64 ? ~0ULL : (1ULL << std::max(count, 0)) - 1;
+    const __m512i pixels = _mm512_maskz_loadu_epi8(there, row);
+    return _mm512_test_epi8_mask(pixels, pixels);
+}
+
+// The row becomes one string of bits, of which each byte of the result is a piece.
+void gather_bits(const std::uint8_t* row, int count, std::uint8_t* out) {
+    // To each 64 bits the two bytes of the string that its eight results reach into, then eight
+    // bits from each of the first eight on.
+    alignas(64) std::uint8_t two_bytes[64];
+    for (int i = 0; i < 64; ++i) {
+        two_bytes[i] = static_cast<std::uint8_t>(i / 8 + (i % 8 == 1 ? 1 : 0));
+    }
+    const __m512i order = _mm512_load_si512(two_bytes);
+    const __m512i shifts = _mm512_set1_epi64(0x0706050403020100);
+    std::uint64_t bits = bits_of(row, count);
+    for (int x = 0; x < count; x += 64) {
+        const std::uint64_t next = bits_of(row + x + 64, count - x - 64);
+        const __m128i both =
+            _mm_set_epi64x(static_cast<std::int64_t>(next), static_cast<std::int64_t>(bits));
+        const __m512i string = _mm512_permutexvar_epi8(order, _mm512_castsi128_si512(both));
+        const __m512i gathered = _mm512_multishift_epi64_epi8(shifts, string);
+        _mm512_storeu_si512(out + x, gathered);
+        bits = next;
+    }
+}
+
+#else
+
 void gather_bits(const std::uint8_t* row, int count, std::uint8_t* out) {
     const D8 d;
     constexpr int lanes = static_cast<int>(HWY_LANES(std::uint8_t));
     for (int x = 0; x < count; x += lanes) {
         const std::uint8_t* from = row + x;
         std::uint8_t last[lanes + 7] = {};
-        const bool whole = count - x >= lanes + 7;
-        if (!whole) {
-            std::copy_n(from, std::min(count - x, lanes + 7), last);
+        if (count - x < lanes + 7) {
+            std::copy_n(from, count - x, last);
             from = last;
         }
         auto bits = hn::LoadU(d, from + 7);
         for (int i = 6; i >= 0; --i) {
             bits = hn::Add(hn::Add(bits, bits), hn::LoadU(d, from + i));
         }
-        if (whole) {
-            hn::StoreU(bits, d, out + x);
-        } else {
-            hn::StoreU(bits, d, last);
-            std::copy_n(last, std::min(count - x, lanes), out + x);
-        }
+        hn::StoreU(bits, d, out + x);
     }
 }
+
+#endif
 
 #endif
 
@@ -214,6 +235,40 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace kambara {
+namespace {
+
+std::uint32_t twice(int low_byte, int high_byte) {
+    return static_cast<std::uint32_t>(low_byte | high_byte << 8) * 0x10001U;
+}
+
+// Pairs of neighbours, the first pair beginning at `first`: where that is outside, with 0.
+template <std::size_t SIDE, std::size_t PAIRS>
+void set_pairs(const std::array<std::int16_t, SIDE>& weights, int first,
+               std::array<std::uint32_t, PAIRS>& pairs) {
+    const auto at = [&](int i) {
+        const auto distance = static_cast<std::size_t>(std::abs(i));
+        return distance < SIDE ? weights[distance] : 0;
+    };
+    for (std::uint32_t& pair : pairs) {
+        pair = twice(at(first), at(first + 1));
+        first += 2;
+    }
+}
+
+}  // namespace
+
+TwoGaussians::TwoGaussians(const std::array<std::int16_t, 3>& of_narrow,
+                           const std::array<std::int16_t, 5>& of_wide)
+    : narrow(of_narrow), wide(of_wide) {
+    for (int odd = 0; odd < 2; ++odd) {
+        set_pairs(narrow, -2 - odd, narrow_pairs[static_cast<std::size_t>(odd)]);
+        set_pairs(wide, -4 - odd, wide_pairs[static_cast<std::size_t>(odd)]);
+    }
+    for (std::size_t j = 0; j < 5; ++j) {
+        const int less = j < 3 ? -narrow[j] : 0;
+        across[j] = static_cast<std::uint32_t>((less & 0xFFFF) | wide[j] << 16);
+    }
+}
 
 HWY_EXPORT(both_along);
 HWY_EXPORT(larger_across);

@@ -7,10 +7,18 @@
 namespace kambara {
 
 /// Weights of two Gaussians in whole numbers, the middle one, then to one side: the sum over both
-/// sides is 256, and no two neighbours make more than 255.
+/// sides is 256, and no two neighbours make more than 255. Made once, for many rows.
 struct TwoGaussians {
+    TwoGaussians(const std::array<std::int16_t, 3>& of_narrow,
+                 const std::array<std::int16_t, 5>& of_wide);
+
     std::array<std::int16_t, 3> narrow;
     std::array<std::int16_t, 5> wide;
+
+    // As vectors multiply them, in 32 bits, which come to all lanes by a load alone.
+    std::array<std::array<std::uint32_t, 3>, 2> narrow_pairs;  ///< along: bytes, from -2, from -3
+    std::array<std::array<std::uint32_t, 5>, 2> wide_pairs;    ///< likewise, from -4, from -5
+    std::array<std::uint32_t, 5> across;                       ///< -narrow, wide
 };
 
 /// A row of a transform from the rows of the picture about it: rows[radius] is the one it lies in,
@@ -32,16 +40,17 @@ struct TransformRows {
                           std::uint8_t* out);
 
     /// Both Gaussians' sums along a row, radius 4, in an order that larger_across() knows: two
-    /// numbers a pixel, for whole groups of kernel_columns pixels.
+    /// numbers a pixel, for whole groups of kernel_columns pixels. `readable` bytes from `row` on,
+    /// at least count + 4, may be read, and what lies in the last of them need not mean anything.
     void (*both_along)(const std::uint8_t* row, const TwoGaussians& weights, int count,
-                       std::int16_t* out);
+                       int readable, std::int16_t* out);
     /// 1 where, across 9 rows of such sums, the narrow Gaussian's is larger than the wide one's,
-    /// else 0. Exact.
+    /// else 0. Exact. `writable` bytes from `out` on, at least count, may be overwritten.
     void (*larger_across)(const std::int16_t* const* nine, const TwoGaussians& weights, int count,
-                          std::uint8_t* out);
+                          int writable, std::uint8_t* out);
 
     /// Of a row of 0 and 1, each with the seven after it (none after the last) as the bits of a
-    /// byte, the nearest in the lowest. May be done in place.
+    /// byte, the nearest in the lowest. May be done in place. Fills whole groups of kernel_columns.
     void (*gather_bits)(const std::uint8_t* row, int count, std::uint8_t* out);
 
     /// Three channels of interleaved pixels apart.
