@@ -51,7 +51,8 @@ class Correlator {
     void score_bits(const Block& block, int row, std::uint32_t* costs);
     void score_correlations(const Block& block, int row, float* scores);
     void score_by_products(const Block& block, int row, float* scores);
-    void roll_to(int row, int first_column, int columns);
+    void roll_to(int row, int columns);
+    void take_padding_off(int row, int padding, int columns, std::uint32_t* costs);
     Planes planes_from(int row) const;
 
     const Kernels* kernels_;

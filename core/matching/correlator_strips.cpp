@@ -8,10 +8,10 @@
 namespace kambara {
 // Column sums over the template's height for the positions' row: rolled on from the row before, or
 // made anew for the first.
-void Correlator::roll_to(int row, int first_column, int columns) {
+void Correlator::roll_to(int row, int columns) {
     const int count = whole_vectors(columns);
     const auto pixels = [&](int plane, int y) {
-        return planes_.pixels + plane * planes_.plane_stride + y * planes_.stride + first_column;
+        return planes_.pixels + plane * planes_.plane_stride + y * planes_.stride;
     };
     if (row == 0) {
         std::fill_n(column_sums_.begin(), count, 0U);
@@ -26,6 +26,24 @@ void Correlator::roll_to(int row, int first_column, int columns) {
         for (int y = 0; y < height_; ++y) {
             kernels_->roll_columns(pixels(plane, y), nullptr, count, column_sums_.data(),
                                    column_squares_.data());
+        }
+    }
+}
+
+// Takes the template's padding off a row of costs, where it was compared with 0, by sums of the
+// pixels under it: rolled on likewise.
+void Correlator::take_padding_off(int row, int padding, int columns, std::uint32_t* costs) {
+    const auto pixels = [&](int plane, int y) {
+        return planes_.pixels + plane * planes_.plane_stride + y * planes_.stride + width_;
+    };
+    if (row == 0) {
+        std::fill_n(column_sums_.begin(), whole_vectors(columns), 0U);
+    }
+    for (int plane = 0; plane < channels_; ++plane) {
+        for (int y = row == 0 ? 0 : height_ - 1; y < height_; ++y) {
+            const bool last = plane == channels_ - 1 && y == height_ - 1;
+            kernels_->take_off(pixels(plane, row + y), row == 0 ? nullptr : pixels(plane, row - 1),
+                               padding, columns, column_sums_.data(), last ? costs : nullptr);
         }
     }
 }
@@ -49,9 +67,7 @@ void Correlator::score_sads(const Block& block, int row, std::uint32_t* costs) {
         }
     } else if (padding > 0) {
         for (int y = 0; y < block.rows; ++y) {
-            roll_to(row + y, width_, block.columns + padding);
-            kernels_->take_off(column_sums_.data(), padding, block.columns,
-                               costs + y * block.stride);
+            take_padding_off(row + y, padding, block.columns, costs + y * block.stride);
         }
     }
 }
@@ -66,7 +82,7 @@ void Correlator::score_correlations(const Block& block, int row, float* scores) 
     }
     const int summed = whole_vectors(block.columns + width_ - 1);
     for (int y = 0; y < block.rows; ++y) {
-        roll_to(row + y, 0, summed);
+        roll_to(row + y, summed);
         kernels_->prefix_sums(column_sums_.data(), summed, sums_.data());
         kernels_->prefix_sums(column_squares_.data(), summed, squares_.data());
         kernels_->correlate(dots + y * strip.stride, sums_.data(), squares_.data(), width_,

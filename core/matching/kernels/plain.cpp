@@ -69,10 +69,15 @@ void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int co
     }
 }
 
-void take_off(const std::uint32_t* sums, int width, int count, std::uint32_t* costs) {
+void take_off(const std::uint8_t* added, const std::uint8_t* removed, int width, int count,
+              std::uint32_t* sums, std::uint32_t* costs) {
     for (int x = 0; x < count; ++x) {
-        for (int i = 0; i < width; ++i) {
-            costs[x] -= sums[x + i];
+        for (int i = x; i < x + width; ++i) {
+            sums[x] += added[i];
+            sums[x] -= removed != nullptr ? removed[i] : 0U;
+        }
+        if (costs != nullptr) {
+            costs[x] -= sums[x];
         }
     }
 }

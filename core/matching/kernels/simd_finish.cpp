@@ -19,8 +19,9 @@ void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int co
                   std::uint32_t* sums, std::uint32_t* squares) {
     plain_kernels().roll_columns(added, removed, count, sums, squares);
 }
-void take_off(const std::uint32_t* sums, int width, int count, std::uint32_t* costs) {
-    plain_kernels().take_off(sums, width, count, costs);
+void take_off(const std::uint8_t* added, const std::uint8_t* removed, int width, int count,
+              std::uint32_t* sums, std::uint32_t* costs) {
+    plain_kernels().take_off(added, removed, width, count, sums, costs);
 }
 void prefix_sums(const std::uint32_t* values, int count, std::uint32_t* out) {
     plain_kernels().prefix_sums(values, count, out);
@@ -44,6 +45,7 @@ using D32 = hn::ScalableTag<std::int32_t>;
 using DU32 = hn::RebindToUnsigned<D32>;
 using DF = hn::RebindToFloat<D32>;
 using DBytes = hn::Rebind<std::uint8_t, D32>;
+using D16 = hn::Rebind<std::int16_t, D32>;
 using DHalf = hn::Half<D32>;
 using DD = hn::Rebind<double, DHalf>;
 using V32 = hn::Vec<D32>;
@@ -69,18 +71,52 @@ void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int co
     }
 }
 
-void take_off(const std::uint32_t* sums, int width, int count, std::uint32_t* costs) {
-    const DU32 d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    int x = 0;
-    for (; x + lanes <= count; x += lanes) {
-        VU32 cost = hn::LoadU(d, costs + x);
-        for (int i = 0; i < width; ++i) {
-            cost = hn::Sub(cost, hn::LoadU(d, sums + x + i));
-        }
-        hn::StoreU(cost, d, costs + x);
+// Sums of a few pixels fit 16 bits.
+template <int WIDTH>
+HWY_INLINE hn::Vec<D16> sum_of_few(const std::uint8_t* pixels) {
+    const D16 d;
+    const hn::Rebind<std::uint8_t, D16> bytes;
+    const auto first = hn::PromoteTo(d, hn::LoadU(bytes, pixels));
+    if constexpr (WIDTH > 1) {
+        return hn::Add(first, sum_of_few<WIDTH - 1>(pixels + 1));
     }
-    plain_kernels().take_off(sums + x, width, count - x, costs + x);
+    return first;
+}
+
+template <int WIDTH>
+void take_few_off(const std::uint8_t* added, const std::uint8_t* removed, int count,
+                  std::uint32_t* sums, std::uint32_t* costs) {
+    const D32 d;
+    const DU32 du;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (int x = 0; x < count; x += lanes) {
+        auto change = sum_of_few<WIDTH>(added + x);
+        if (removed != nullptr) {
+            change = hn::Sub(change, sum_of_few<WIDTH>(removed + x));
+        }
+        const VU32 sum =
+            hn::Add(hn::LoadU(du, sums + x), hn::BitCast(du, hn::PromoteTo(d, change)));
+        hn::StoreU(sum, du, sums + x);
+        if (costs != nullptr && count - x >= lanes) {
+            hn::StoreU(hn::Sub(hn::LoadU(du, costs + x), sum), du, costs + x);
+        } else if (costs != nullptr) {
+            for (int i = x; i < count; ++i) {
+                costs[i] -= sums[i];
+            }
+        }
+    }
+}
+
+void take_off(const std::uint8_t* added, const std::uint8_t* removed, int width, int count,
+              std::uint32_t* sums, std::uint32_t* costs) {
+    switch (width) {
+        case 1:
+            return take_few_off<1>(added, removed, count, sums, costs);
+        case 2:
+            return take_few_off<2>(added, removed, count, sums, costs);
+        default:
+            return take_few_off<3>(added, removed, count, sums, costs);
+    }
 }
 
 // Sums from the first lane on, within each 128 bits, then across them.

@@ -43,15 +43,18 @@ using Sums = __m512i;
 HWY_INLINE Sums none() {
     return _mm512_setzero_si512();
 }
+using FourBytes = std::uint8_t[4];
+// Written out, since a compiler that keeps what the next step could load again passes it on through
+// other registers, which takes longer.
 HWY_INLINE Bytes template_group(const std::uint8_t* at) {
-    std::int32_t four;
-    std::memcpy(&four, at, sizeof(four));
-    return _mm512_set1_epi32(four);
+    Bytes four;
+    asm("vpbroadcastd %1, %0" : "=v"(four) : "m"(*reinterpret_cast<const FourBytes*>(at)));
+    return four;
 }
-// Lane l of 128 bits holds the 16 bytes from 8 l on, in the order that the differences want.
+// Each 128 bits give the sums of their first eight positions: a second vector begins eight later.
+constexpr int second = 8;
 HWY_INLINE Bytes image_group(const std::uint8_t* pixels) {
-    return _mm512_permutexvar_epi64(_mm512_setr_epi64(0, 1, 1, 2, 2, 3, 3, 4),
-                                    _mm512_loadu_si512(pixels));
+    return _mm512_loadu_si512(pixels);
 }
 HWY_INLINE Sums add_differences(Sums sums, Bytes image, Bytes templ) {
     return _mm512_add_epi16(sums, _mm512_dbsad_epu8(templ, image, 0x94));
@@ -64,7 +67,7 @@ constexpr int most_rows = 6;
 constexpr int vectors = 2;
 constexpr int in_vector = 4;
 constexpr int group = 8;
-constexpr int most_in_sum = -1;  // the sums have 64 bits and are never full
+constexpr int most_in_sum = 0;  // the sums have 64 bits and are never full
 using Bytes = __m256i;
 using Sums = __m256i;
 using EightBytes = std::uint8_t[8];
@@ -120,6 +123,7 @@ HWY_INLINE Sums add_differences(Sums sums, Bytes image, Bytes templ) {
     return sums;
 }
 using Stored = std::uint64_t;
+constexpr int second = in_vector;
 
 #elif HWY_TARGET == HWY_SSE4
 
@@ -175,6 +179,9 @@ HWY_INLINE Sums add_differences(Sums sums, Bytes image, Bytes templ) {
 
 #if HWY_TARGET != HWY_AVX2
 constexpr bool counts_padding = true;
+#if HWY_TARGET != HWY_AVX3_DL && HWY_TARGET != HWY_AVX3
+constexpr int second = in_vector;
+#endif
 using Stored = std::uint16_t;
 struct Order {};
 constexpr Order any_order{};
@@ -255,47 +262,118 @@ struct Descent {
     bool emptied;  // at least once
 };
 
+#if HWY_TARGET == HWY_AVX3_DL || HWY_TARGET == HWY_AVX3
+
+HWY_INLINE void widen_row(const Stored* sums, int columns, bool add, std::uint32_t* to) {
+    const __m512i first = _mm512_load_si512(sums);
+    const __m512i other = _mm512_load_si512(sums + in_vector);
+    for (int half = 0; half < 2; ++half, columns -= in_vector, to += in_vector) {
+        // The two vectors' eighths in turn.
+        const __m512i order = half == 0 ? _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11)
+                                        : _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
+        const __m512i words = _mm512_permutex2var_epi64(first, order, other);
+        const __m512i wide[] = {_mm512_cvtepu16_epi32(_mm512_castsi512_si256(words)),
+                                _mm512_cvtepu16_epi32(_mm512_extracti64x4_epi64(words, 1))};
+        for (int i = 0; i < 2; ++i) {
+            const int count = columns - 16 * i;
+            const auto there =
+                static_cast<__mmask16>(count >= 16 ? 0xFFFF : (count > 0 ? (1 << count) - 1 : 0));
+            const __m512i before =
+                add ? _mm512_maskz_loadu_epi32(there, to + 16 * i) : _mm512_setzero_si512();
+            _mm512_mask_storeu_epi32(to + 16 * i, there, _mm512_add_epi32(wide[i], before));
+        }
+    }
+}
+
+#else
+
+HWY_INLINE void widen_row(const Stored* HWY_RESTRICT sums, int columns, bool add,
+                          std::uint32_t* HWY_RESTRICT to) {
+    for (int x = 0; x < columns; ++x) {
+        to[x] = static_cast<std::uint32_t>(sums[x]) + (add ? to[x] : 0U);
+    }
+}
+
+#endif
+
 // Sums to `out`, added to what is there or not. Not a part of the loops that make them, which need
 // all registers.
 template <int ROWS>
 HWY_NOINLINE void widen(const Stored* sums, const Descent& at) {
     constexpr int most = vectors * in_vector;
     const int columns = at.columns < most ? at.columns : most;
-    for (int r = 0; r < ROWS; ++r) {
-        const Stored* HWY_RESTRICT from = sums + r * most;
-        std::uint32_t* HWY_RESTRICT to = at.out + r * at.out_stride;
-        if (at.emptied) {
-            for (int x = 0; x < columns; ++x) {
-                to[x] += static_cast<std::uint32_t>(from[x]);
-            }
-        } else {
-            for (int x = 0; x < columns; ++x) {
-                to[x] = static_cast<std::uint32_t>(from[x]);
-            }
-        }
+    for (int r = 0; r < ROWS; ++r, sums += most) {
+        std::uint32_t* to = at.out + r * at.out_stride;
+        at.emptied ? widen_row(sums, columns, true, to) : widen_row(sums, columns, false, to);
     }
 }
 
+#if HWY_TARGET == HWY_AVX2
+
+// Few positions at a time: all eight of a row at once, unless the row ends among them.
+template <int ROWS, int R = 0>
+HWY_INLINE void narrow(const RowSums& sums, const Descent& at) {
+    if constexpr (R < ROWS) {
+        const __m256 both = _mm256_shuffle_ps(_mm256_castsi256_ps(sums[R][0]),
+                                              _mm256_castsi256_ps(sums[R][1]), 0x88);
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(at.out + R * at.out_stride),
+                            _mm256_permute4x64_epi64(_mm256_castps_si256(both), 0xD8));
+        narrow<ROWS, R + 1>(sums, at);
+    }
+}
+constexpr bool narrows = true;
+
+#else
+
 template <int ROWS>
-HWY_INLINE void empty_all(Descent& at, const RowSums& sums) {
+HWY_INLINE void narrow(const RowSums&, const Descent&) {}
+constexpr bool narrows = false;
+
+#endif
+
+template <int ROWS>
+HWY_INLINE void empty_all(Descent& at, RowSums& sums) {
+    if (narrows && at.columns >= vectors * in_vector) {
+        return narrow<ROWS>(sums, at);
+    }
     alignas(64) Stored stored[ROWS * vectors * in_vector];
     store<ROWS>(sums, stored);
     widen<ROWS>(stored, at);
+    clear<ROWS>(sums);
     at.emptied = true;
 }
 
-template <int ROWS, int FIRST, int LAST>
-HWY_INLINE void add_next(Descent& at, const std::uint8_t* of_first, RowSums& sums) {
-    if constexpr (most_in_sum > 0) {
-        if (at.in_sum == most_in_sum) {
-            empty_all<ROWS>(at, sums);
-            clear<ROWS>(sums);
-            at.in_sum = 0;
-        }
-        ++at.in_sum;
+// Before a group's first row: what its first and last rows add to any sum, ROWS - 1 groups, is
+// spoken for.
+template <int ROWS>
+HWY_INLINE void begin_group(Descent& at, RowSums& sums) {
+    if (most_in_sum > 0 && at.in_sum + ROWS > most_in_sum) {
+        empty_all<ROWS>(at, sums);
+        at.in_sum = 0;
     }
+    at.in_sum += ROWS - 1;
+}
+
+// So many of the next steps as the sums have room for, at least one.
+template <int ROWS>
+HWY_INLINE int make_room(int steps, Descent& at, RowSums& sums) {
+    if (most_in_sum == 0) {
+        return steps;
+    }
+    if (at.in_sum == most_in_sum) {
+        empty_all<ROWS>(at, sums);
+        at.in_sum = ROWS - 1;
+    }
+    const int room = most_in_sum - at.in_sum;
+    const int now = steps < room ? steps : room;
+    at.in_sum += now;
+    return now;
+}
+
+template <int FIRST, int LAST>
+HWY_INLINE void add_next(Descent& at, const std::uint8_t* of_first, RowSums& sums) {
     const Bytes left = image_group(at.pixels, *at.order);
-    const Bytes right = image_group(at.pixels + in_vector, *at.order);
+    const Bytes right = image_group(at.pixels + second, *at.order);
     add_to_rows<FIRST, LAST>(left, right, of_first, sums);
     at.pixels += at.image_stride;
 }
@@ -304,7 +382,7 @@ HWY_INLINE void add_next(Descent& at, const std::uint8_t* of_first, RowSums& sum
 template <int ROWS, int LAST>
 HWY_INLINE void add_rising(Descent& at, RowSums& sums) {
     if constexpr (LAST < ROWS - 1) {
-        add_next<ROWS, 0, LAST>(at, at.of_templ, sums);
+        add_next<0, LAST>(at, at.of_templ, sums);
         at.of_templ += group;
         add_rising<ROWS, LAST + 1>(at, sums);
     }
@@ -314,7 +392,7 @@ HWY_INLINE void add_rising(Descent& at, RowSums& sums) {
 template <int ROWS, int FIRST>
 HWY_INLINE void add_falling(Descent& at, const std::uint8_t* last_row, RowSums& sums) {
     if constexpr (FIRST < ROWS) {
-        add_next<ROWS, FIRST, ROWS - 1>(at, last_row, sums);
+        add_next<FIRST, ROWS - 1>(at, last_row, sums);
         add_falling<ROWS, FIRST + 1>(at, last_row, sums);
     }
 }
@@ -332,10 +410,15 @@ HWY_NOINLINE void sad_rows(const Planes& image, const PackedTemplate& templ, con
         for (std::ptrdiff_t g = 0; g < groups.in_row; ++g) {
             at.pixels = first_pixel + plane * image.plane_stride + g * group;
             at.order = &order_for(templ.width - static_cast<int>(g) * group);
+            begin_group<ROWS>(at, sums);
             add_rising<ROWS, 0>(at, sums);
-            for (int j = ROWS - 1; j < templ.height; ++j) {
-                add_next<ROWS, 0, ROWS - 1>(at, at.of_templ, sums);
-                at.of_templ += group;
+            for (int left = templ.height - ROWS + 1; left > 0;) {
+                const int now = make_room<ROWS>(left, at, sums);
+                for (int k = 0; k < now; ++k) {
+                    add_next<0, ROWS - 1>(at, at.of_templ, sums);
+                    at.of_templ += group;
+                }
+                left -= now;
             }
             add_falling<ROWS, 1>(at, at.of_templ - group, sums);
         }
