@@ -264,12 +264,14 @@ void Correlator::scan_strips(int columns, int rows, int first_x, int first_y, st
     const bool straight = step_ == 1;
     make_room(strip, straight ? 0 : static_cast<std::size_t>(columns * strip_rows));
     Block block{columns, 0, straight ? map_width : columns};
-    for (int row = 0; row < rows; row += strip_rows) {
+    // What is done in one go needs no strips.
+    const int rows_at_once = straight && measure_ == Measure::hamming ? rows : strip_rows;
+    for (int row = 0; row < rows; row += rows_at_once) {
         const auto place = [&](int y) {
             return map.data() +
                    static_cast<std::ptrdiff_t>(first_y + (row + y) * step_) * map_width + first_x;
         };
-        block.rows = std::min(strip_rows, rows - row);
+        block.rows = std::min(rows_at_once, rows - row);
         T* to = straight ? place(0) : strip.data();
         if constexpr (std::is_same_v<T, float>) {
             by_products_ ? score_by_products(block, row, to) : score_correlations(block, row, to);

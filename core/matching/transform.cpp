@@ -49,34 +49,34 @@ std::array<std::int16_t, RADIUS + 1> gaussian_weights(double sigma_px) {
     return weights;
 }
 
-// The rows about the one at hand, each smoothed along once and kept while it is needed.
-template <int RADIUS>
+// The rows about those at hand, RESULTS that follow each other, each smoothed along once and kept
+// while it is needed.
+template <int RADIUS, int RESULTS>
 class RowsAlong {
   public:
-    /// `along` smooths the row of that number into a row of `numbers` numbers.
-    template <class Along>
-    RowsAlong(std::ptrdiff_t numbers, const Along& along) : stride_(whole_lines(numbers)) {
+    /// Rows of so many numbers.
+    explicit RowsAlong(std::ptrdiff_t numbers) : stride_(whole_lines(numbers)) {
         const auto size = static_cast<std::size_t>((rows_kept + 1) * stride_);
         if (kept().size() < size) {
             kept().resize(size);
         }
-        for (int y = -RADIUS; y < RADIUS; ++y) {
-            along(y, place(y));
-        }
     }
 
-    /// The rows about y; to be asked for one row after the other.
+    /// The rows from y - RADIUS to y + results - 1 + RADIUS; to be asked for from the first on.
+    /// `along` smooths the row of a number into a row of numbers.
     template <class Along>
-    const std::int16_t* const* about(int y, const Along& along) {
-        along(y + RADIUS, place(y + RADIUS));
-        for (int j = -RADIUS; j <= RADIUS; ++j) {
-            about_[static_cast<std::size_t>(j + RADIUS)] = place(y + j);
+    const std::int16_t* const* about(int y, int results, const Along& along) {
+        for (; next_ < y + results + RADIUS; ++next_) {
+            along(next_, place(next_));
+        }
+        for (int j = 0; j < results + 2 * RADIUS; ++j) {
+            about_[static_cast<std::size_t>(j)] = place(y + j - RADIUS);
         }
         return about_.data();
     }
 
   private:
-    static constexpr int rows_kept = 2 * RADIUS + 1;
+    static constexpr int rows_kept = 2 * RADIUS + RESULTS;
     static constexpr std::ptrdiff_t in_line = 32;  // of the cache, which no load should cross
 
     static std::ptrdiff_t whole_lines(std::ptrdiff_t numbers) {
@@ -93,6 +93,7 @@ class RowsAlong {
     }
 
     const std::ptrdiff_t stride_;
+    int next_ = -RADIUS;
     std::array<const std::int16_t*, rows_kept> about_{};
 };
 
@@ -101,9 +102,9 @@ void smooth(const Image& picture, const Rectangle& region, const TransformRows& 
     const auto along = [&](int y, std::int16_t* to) {
         by.smooth_along(picture.row(region.y + y) + region.x, weights.data(), region.width, to);
     };
-    RowsAlong<smooth_radius> rows(region.width, along);
+    RowsAlong<smooth_radius, 1> rows(region.width);
     for (int y = 0; y < region.height; ++y) {
-        by.smooth_across(rows.about(y, along), weights.data(), region.width, out.row(y));
+        by.smooth_across(rows.about(y, 1, along), weights.data(), region.width, out.row(y));
     }
 }
 
@@ -113,12 +114,14 @@ void sign_of_difference(const Image& picture, const Rectangle& region, const Tra
                                gaussian_weights<wide_radius>(1.6)};
     const auto along = [&](int y, std::int16_t* to) {
         const int readable = (picture.height() - region.y - y) * picture.width() - region.x;
-        by.both_along(picture.row(region.y + y) + region.x, weights, region.width, readable, to);
+        by.both_along(picture.row(region.y + y) + region.x, weights, region.width, readable,
+                      (y & 1) != 0, to);
     };
-    RowsAlong<wide_radius> rows(2 * whole_groups(region.width), along);
-    for (int y = 0; y < region.height; ++y) {
+    RowsAlong<wide_radius, 2> rows(2 * whole_groups(region.width));
+    for (int y = 0; y < region.height; y += 2) {
+        const int results = std::min(2, region.height - y);
         // Rows from the first on: what is written beyond one's end is written over by the next.
-        by.larger_across(rows.about(y, along), weights, region.width,
+        by.larger_across(rows.about(y, results, along), false, weights, region.width, results,
                          (region.height - y) * region.width, out.row(y));
     }
 }

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
 
-void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count, int,
+void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count, int, bool odd,
                 std::int16_t* HWY_RESTRICT out) {
     for (int x = 0; x < count; ++x) {
         int narrow = 0;
@@ -28,21 +28,24 @@ void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
             narrow += std::abs(i) <= 2 ? weights.narrow[std::abs(i)] * pixel : 0;
             wide += weights.wide[std::abs(i)] * pixel;
         }
-        out[2 * x] = static_cast<std::int16_t>(narrow);
-        out[2 * x + 1] = static_cast<std::int16_t>(wide);
+        out[2 * x] = static_cast<std::int16_t>(odd ? wide : narrow);
+        out[2 * x + 1] = static_cast<std::int16_t>(odd ? narrow : wide);
     }
 }
 
-void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights, int count, int,
-                   std::uint8_t* HWY_RESTRICT out) {
-    for (int x = 0; x < count; ++x) {
-        int difference = 0;
-        for (int j = -4; j <= 4; ++j) {
-            const std::int16_t* both = nine[j + 4] + 2 * x;
-            difference += std::abs(j) <= 2 ? weights.narrow[std::abs(j)] * both[0] : 0;
-            difference -= weights.wide[std::abs(j)] * both[1];
+void larger_across(const std::int16_t* const* ten, bool odd, const TwoGaussians& weights, int count,
+                   int results, int, std::uint8_t* HWY_RESTRICT out) {
+    for (int y = 0; y < results; ++y, ++ten, odd = !odd, out += count) {
+        for (int x = 0; x < count; ++x) {
+            int difference = 0;
+            for (int j = -4; j <= 4; ++j) {
+                const std::int16_t* both = ten[j + 4] + 2 * x;
+                const int narrow = j % 2 == 0 ? odd : !odd;  // its place
+                difference += std::abs(j) <= 2 ? weights.narrow[std::abs(j)] * both[narrow] : 0;
+                difference -= weights.wide[std::abs(j)] * both[1 - narrow];
+            }
+            out[x] = difference > 0 ? 1 : 0;
         }
-        out[x] = difference > 0 ? 1 : 0;
     }
 }
 
@@ -104,7 +107,7 @@ HWY_INLINE V16 weighted(const hn::Vec<D8>* pixels, const V16 (&weights)[PAIRS]) 
 // A vector of pixels makes four of results: of the pixels at even places, then of those at odd
 // ones, the two sums of each side by side.
 void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count, int readable,
-                std::int16_t* HWY_RESTRICT out) {
+                bool in_odd_row, std::int16_t* HWY_RESTRICT out) {
     const D8 d8;
     const D16 d16;
     constexpr int lanes = static_cast<int>(HWY_LANES(std::uint8_t));
@@ -133,45 +136,97 @@ void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
         for (int odd = 0; odd < 2; ++odd, out += 2 * hn::Lanes(d16)) {
             const V16 less = weighted(pixels + 1, narrow[odd]);
             const V16 more = weighted(pixels, wide[odd]);
-            hn::StoreU(hn::InterleaveLower(d16, less, more), d16, out);
-            hn::StoreU(hn::InterleaveUpper(d16, less, more), d16, out + hn::Lanes(d16));
+            const V16 first = in_odd_row ? more : less;
+            const V16 other = in_odd_row ? less : more;
+            hn::StoreU(hn::InterleaveLower(d16, first, other), d16, out);
+            hn::StoreU(hn::InterleaveUpper(d16, first, other), d16, out + hn::Lanes(d16));
         }
     }
 }
 
-void larger_across(const std::int16_t* const* nine, const TwoGaussians& weights, int count,
-                   int writable, std::uint8_t* HWY_RESTRICT out) {
-    const D16 d16;
-    const D32 d32;
-    const hn::RebindToUnsigned<D16> bits;
-    constexpr int lanes = static_cast<int>(HWY_LANES(std::uint8_t));
-    V16 factors[5];
-    for (std::size_t j = 0; j < 5; ++j) {
-        factors[j] = in_all_lanes(weights.across[j]);
+// Where there are registers enough, a compiler shall not load again what it could keep.
+HWY_INLINE V16 load_once(const std::int16_t* from) {
+    V16 loaded = hn::LoadU(D16(), from);
+#if HWY_TARGET == HWY_AVX3_DL || HWY_TARGET == HWY_AVX3
+    asm("" : "+v"(loaded.raw));
+#endif
+    return loaded;
+}
+
+// more - less across the rows from one vector on, of which the first is an odd one or not.
+template <bool ODD>
+HWY_INLINE V32 difference(const V16* nine, const V16* factors) {
+    // Of the outer rows the wide sums alone count: those of an even row, which lie in the odd
+    // places, and of an odd one are multiplied together.
+    V32 sum = hn::Zero(D32());
+    sum = add_products(sum, factors[3], hn::OddEven(nine[ODD ? 1 : 0], nine[ODD ? 0 : 1]));
+    sum = add_products(sum, factors[3], hn::OddEven(nine[ODD ? 7 : 8], nine[ODD ? 8 : 7]));
+    for (int j = 2; j <= 6; ++j) {
+        sum = add_products(sum, factors[std::abs(j - 4)], nine[j]);
     }
-    for (int x = 0; x < count; x += lanes) {
-        V32 sums[4];
+    return sum;
+}
+
+// The signs of more - less. Packing undoes the interleaving: both work within 128 bits.
+HWY_INLINE hn::Vec<D8> larger(const V32* more_less) {
+    const D16 d16;
+    const hn::RebindToUnsigned<D16> bits;
+    const auto even = hn::BitCast(bits, hn::ReorderDemote2To(d16, more_less[0], more_less[1]));
+    const auto odd = hn::BitCast(bits, hn::ReorderDemote2To(d16, more_less[2], more_less[3]));
+    return hn::BitCast(D8(), hn::Or(hn::ShiftRight<15>(even),
+                                    hn::And(hn::ShiftRight<7>(odd), hn::Set(bits, 0x100))));
+}
+
+HWY_INLINE void store_up_to(hn::Vec<D8> results, int count, int writable, std::uint8_t* out) {
+    constexpr int lanes = static_cast<int>(HWY_LANES(std::uint8_t));
+    if (writable >= lanes) {
+        hn::StoreU(results, D8(), out);
+    } else {
+        std::uint8_t last[lanes];
+        hn::StoreU(results, D8(), last);
+        std::copy_n(last, std::min(count, lanes), out);
+    }
+}
+
+// Two rows at once load nearly half as much. From the end on: what the first row's last vector
+// writes beyond it is written over by the second row's first.
+template <bool ODD, int RESULTS>
+void larger_across_rows(const std::int16_t* const* ten, const TwoGaussians& weights, int count,
+                        int writable, std::uint8_t* HWY_RESTRICT out) {
+    constexpr int lanes = static_cast<int>(HWY_LANES(std::uint8_t));
+    V16 factors[2][4];
+    for (std::size_t odd = 0; odd < 2; ++odd) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            factors[odd][k] = in_all_lanes(weights.across[odd][k]);
+        }
+    }
+    for (int x = (count - 1) / lanes * lanes; x >= 0; x -= lanes) {
+        V32 more_less[RESULTS][4];
         for (int k = 0; k < 4; ++k) {
-            sums[k] = hn::Zero(d32);
-            for (int j = 0; j < 9; ++j) {
-                const std::int16_t* both = nine[j] + 2 * x + k * static_cast<int>(hn::Lanes(d16));
-                sums[k] = add_products(sums[k], factors[std::abs(j - 4)], hn::LoadU(d16, both));
+            V16 rows[8 + RESULTS];
+            for (int j = 0; j < 8 + RESULTS; ++j) {
+                rows[j] = load_once(ten[j] + 2 * x + k * static_cast<int>(HWY_LANES(std::int16_t)));
+            }
+            more_less[0][k] = difference<ODD>(rows, factors[ODD]);
+            if constexpr (RESULTS > 1) {
+                more_less[1][k] = difference<!ODD>(rows + 1, factors[!ODD]);
             }
         }
-        // The sign of more - less. Packing undoes the interleaving: both work within 128 bits.
-        const auto even = hn::BitCast(bits, hn::ReorderDemote2To(d16, sums[0], sums[1]));
-        const auto odd = hn::BitCast(bits, hn::ReorderDemote2To(d16, sums[2], sums[3]));
-        const auto larger =
-            hn::BitCast(D8(), hn::Or(hn::ShiftRight<15>(even),
-                                     hn::And(hn::ShiftRight<7>(odd), hn::Set(bits, 0x100))));
-        if (writable - x >= lanes) {
-            hn::StoreU(larger, D8(), out + x);
-        } else {
-            std::uint8_t last[lanes];
-            hn::StoreU(larger, D8(), last);
-            std::copy_n(last, count - x, out + x);
+        for (int y = 0; y < RESULTS; ++y) {
+            store_up_to(larger(more_less[y]), count - x, writable - y * count - x,
+                        out + y * count + x);
         }
     }
+}
+
+void larger_across(const std::int16_t* const* ten, bool odd, const TwoGaussians& weights, int count,
+                   int results, int writable, std::uint8_t* HWY_RESTRICT out) {
+    if (results == 1) {
+        return odd ? larger_across_rows<true, 1>(ten, weights, count, writable, out)
+                   : larger_across_rows<false, 1>(ten, weights, count, writable, out);
+    }
+    return odd ? larger_across_rows<true, 2>(ten, weights, count, writable, out)
+               : larger_across_rows<false, 2>(ten, weights, count, writable, out);
 }
 
 #if HWY_TARGET == HWY_AVX3_DL
@@ -264,9 +319,15 @@ TwoGaussians::TwoGaussians(const std::array<std::int16_t, 3>& of_narrow,
         set_pairs(narrow, -2 - odd, narrow_pairs[static_cast<std::size_t>(odd)]);
         set_pairs(wide, -4 - odd, wide_pairs[static_cast<std::size_t>(odd)]);
     }
-    for (std::size_t j = 0; j < 5; ++j) {
-        const int less = j < 3 ? -narrow[j] : 0;
-        across[j] = static_cast<std::uint32_t>((less & 0xFFFF) | wide[j] << 16);
+    const auto pair = [](int low, int high) {
+        return static_cast<std::uint32_t>((low & 0xFFFF) | high << 16);
+    };
+    for (std::size_t odd = 0; odd < 2; ++odd) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            across[odd][k] =
+                (k + odd) % 2 == 0 ? pair(-narrow[k], wide[k]) : pair(wide[k], -narrow[k]);
+        }
+        across[odd][3] = odd == 0 ? pair(wide[3], wide[4]) : pair(wide[4], wide[3]);
     }
 }
 

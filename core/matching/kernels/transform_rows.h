@@ -18,7 +18,9 @@ struct TwoGaussians {
     // As vectors multiply them, in 32 bits, which come to all lanes by a load alone.
     std::array<std::array<std::uint32_t, 3>, 2> narrow_pairs;  ///< along: bytes, from -2, from -3
     std::array<std::array<std::uint32_t, 5>, 2> wide_pairs;    ///< likewise, from -4, from -5
-    std::array<std::uint32_t, 5> across;                       ///< -narrow, wide
+    /// Across, if the first row is an even one, or an odd one: -narrow and wide of the rows 0, 1
+    /// and 2 away from the middle, each in its row's order; wide of the outer two.
+    std::array<std::array<std::uint32_t, 4>, 2> across;
 };
 
 /// A row of a transform from the rows of the picture about it: rows[radius] is the one it lies in,
@@ -40,14 +42,17 @@ struct TransformRows {
                           std::uint8_t* out);
 
     /// Both Gaussians' sums along a row, radius 4, in an order that larger_across() knows: two
-    /// numbers a pixel, for whole groups of kernel_columns pixels. `readable` bytes from `row` on,
-    /// at least count + 4, may be read, and what lies in the last of them need not mean anything.
+    /// numbers a pixel, for whole groups of kernel_columns pixels, the narrow one's first in even
+    /// rows and second in odd ones. `readable` bytes from `row` on, at least count + 4, may be
+    /// read, and what lies in the last of them need not mean anything.
     void (*both_along)(const std::uint8_t* row, const TwoGaussians& weights, int count,
-                       int readable, std::int16_t* out);
+                       int readable, bool odd, std::int16_t* out);
     /// 1 where, across 9 rows of such sums, the narrow Gaussian's is larger than the wide one's,
-    /// else 0. Exact. `writable` bytes from `out` on, at least count, may be overwritten.
-    void (*larger_across)(const std::int16_t* const* nine, const TwoGaussians& weights, int count,
-                          int writable, std::uint8_t* out);
+    /// else 0. Exact. One row or two of results that follow each other at once, from 9 rows or 10,
+    /// of which the first may be an odd one. `writable` bytes from `out` on, at least the rows',
+    /// may be overwritten.
+    void (*larger_across)(const std::int16_t* const* ten, bool odd, const TwoGaussians& weights,
+                          int count, int results, int writable, std::uint8_t* out);
 
     /// Of a row of 0 and 1, each with the seven after it (none after the last) as the bits of a
     /// byte, the nearest in the lowest. May be done in place. Fills whole groups of kernel_columns.
