@@ -40,10 +40,13 @@ void Correlator::take_padding_off(int row, int padding, int columns, std::uint32
         std::fill_n(column_sums_.begin(), whole_vectors(columns), 0U);
     }
     for (int plane = 0; plane < channels_; ++plane) {
-        for (int y = row == 0 ? 0 : height_ - 1; y < height_; ++y) {
-            const bool last = plane == channels_ - 1 && y == height_ - 1;
-            kernels_->take_off(pixels(plane, row + y), row == 0 ? nullptr : pixels(plane, row - 1),
-                               padding, columns, column_sums_.data(), last ? costs : nullptr);
+        std::uint32_t* last = plane == channels_ - 1 ? costs : nullptr;
+        if (row == 0) {
+            kernels_->take_off(pixels(plane, 0), planes_.stride, height_, nullptr, padding, columns,
+                               column_sums_.data(), last);
+        } else {
+            kernels_->take_off(pixels(plane, row + height_ - 1), 0, 1, pixels(plane, row - 1),
+                               padding, columns, column_sums_.data(), last);
         }
     }
 }

@@ -104,10 +104,12 @@ struct Kernels {
     void (*roll_columns)(const std::uint8_t* added, const std::uint8_t* removed, int count,
                          std::uint32_t* sums, std::uint32_t* squares) = nullptr;
 
-    /// sums[x] += added[x] + ... + added[x + width - 1], less the same of `removed`, which may be
-    /// null: whole vectors of columns. Width 1, 2 or 3. With costs, costs[x] -= sums[x].
-    void (*take_off)(const std::uint8_t* added, const std::uint8_t* removed, int width, int count,
-                     std::uint32_t* sums, std::uint32_t* costs) = nullptr;
+    /// sums[x] += added[x] + ... + added[x + width - 1] of each of `rows` rows, less the same of
+    /// the one row `removed`, which may be null: whole vectors of columns. Width 1, 2 or 3. With
+    /// costs, costs[x] -= sums[x].
+    void (*take_off)(const std::uint8_t* added, std::ptrdiff_t stride, int rows,
+                     const std::uint8_t* removed, int width, int count, std::uint32_t* sums,
+                     std::uint32_t* costs) = nullptr;
 
     /// out[0] = 0, out[x + 1] = out[x] + values[x], modulo 2^32: whole vectors, of both.
     void (*prefix_sums)(const std::uint32_t* values, int count, std::uint32_t* out) = nullptr;

@@ -69,11 +69,14 @@ void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int co
     }
 }
 
-void take_off(const std::uint8_t* added, const std::uint8_t* removed, int width, int count,
-              std::uint32_t* sums, std::uint32_t* costs) {
+void take_off(const std::uint8_t* added, std::ptrdiff_t stride, int rows,
+              const std::uint8_t* removed, int width, int count, std::uint32_t* sums,
+              std::uint32_t* costs) {
     for (int x = 0; x < count; ++x) {
         for (int i = x; i < x + width; ++i) {
-            sums[x] += added[i];
+            for (int y = 0; y < rows; ++y) {
+                sums[x] += added[y * stride + i];
+            }
             sums[x] -= removed != nullptr ? removed[i] : 0U;
         }
         if (costs != nullptr) {

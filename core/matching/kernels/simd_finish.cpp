@@ -19,9 +19,10 @@ void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int co
                   std::uint32_t* sums, std::uint32_t* squares) {
     plain_kernels().roll_columns(added, removed, count, sums, squares);
 }
-void take_off(const std::uint8_t* added, const std::uint8_t* removed, int width, int count,
-              std::uint32_t* sums, std::uint32_t* costs) {
-    plain_kernels().take_off(added, removed, width, count, sums, costs);
+void take_off(const std::uint8_t* added, std::ptrdiff_t stride, int rows,
+              const std::uint8_t* removed, int width, int count, std::uint32_t* sums,
+              std::uint32_t* costs) {
+    plain_kernels().take_off(added, stride, rows, removed, width, count, sums, costs);
 }
 void prefix_sums(const std::uint32_t* values, int count, std::uint32_t* out) {
     plain_kernels().prefix_sums(values, count, out);
@@ -84,18 +85,21 @@ HWY_INLINE hn::Vec<D16> sum_of_few(const std::uint8_t* pixels) {
 }
 
 template <int WIDTH>
-void take_few_off(const std::uint8_t* added, const std::uint8_t* removed, int count,
-                  std::uint32_t* sums, std::uint32_t* costs) {
+void take_few_off(const std::uint8_t* added, std::ptrdiff_t stride, int rows,
+                  const std::uint8_t* removed, int count, std::uint32_t* sums,
+                  std::uint32_t* costs) {
     const D32 d;
     const DU32 du;
     const int lanes = static_cast<int>(hn::Lanes(d));
     for (int x = 0; x < count; x += lanes) {
-        auto change = sum_of_few<WIDTH>(added + x);
-        if (removed != nullptr) {
-            change = hn::Sub(change, sum_of_few<WIDTH>(removed + x));
+        V32 change = hn::Zero(d);
+        for (int y = 0; y < rows; ++y) {
+            change = hn::Add(change, hn::PromoteTo(d, sum_of_few<WIDTH>(added + y * stride + x)));
         }
-        const VU32 sum =
-            hn::Add(hn::LoadU(du, sums + x), hn::BitCast(du, hn::PromoteTo(d, change)));
+        if (removed != nullptr) {
+            change = hn::Sub(change, hn::PromoteTo(d, sum_of_few<WIDTH>(removed + x)));
+        }
+        const VU32 sum = hn::Add(hn::LoadU(du, sums + x), hn::BitCast(du, change));
         hn::StoreU(sum, du, sums + x);
         if (costs != nullptr && count - x >= lanes) {
             hn::StoreU(hn::Sub(hn::LoadU(du, costs + x), sum), du, costs + x);
@@ -107,15 +111,16 @@ void take_few_off(const std::uint8_t* added, const std::uint8_t* removed, int co
     }
 }
 
-void take_off(const std::uint8_t* added, const std::uint8_t* removed, int width, int count,
-              std::uint32_t* sums, std::uint32_t* costs) {
+void take_off(const std::uint8_t* added, std::ptrdiff_t stride, int rows,
+              const std::uint8_t* removed, int width, int count, std::uint32_t* sums,
+              std::uint32_t* costs) {
     switch (width) {
         case 1:
-            return take_few_off<1>(added, removed, count, sums, costs);
+            return take_few_off<1>(added, stride, rows, removed, count, sums, costs);
         case 2:
-            return take_few_off<2>(added, removed, count, sums, costs);
+            return take_few_off<2>(added, stride, rows, removed, count, sums, costs);
         default:
-            return take_few_off<3>(added, removed, count, sums, costs);
+            return take_few_off<3>(added, stride, rows, removed, count, sums, costs);
     }
 }
 

@@ -213,7 +213,11 @@ struct Groups {
                 const auto count =
                     static_cast<std::size_t>(std::min(group, templ.padded_width - i));
                 for (int j = 0; j < templ.height; ++j, from += templ.padded_width, to += group) {
-                    std::memcpy(to, from, count);
+                    if (count == group) {
+                        std::memcpy(to, from, group);  // of a size known beforehand: no call
+                    } else {
+                        std::memcpy(to, from, count);
+                    }
                 }
             }
         }

@@ -178,22 +178,33 @@ void smooth_across(const std::int16_t* const* seven, const std::int16_t* weights
     }
 }
 
-void split(const std::uint8_t* pixels, int count, std::uint8_t* HWY_RESTRICT first,
-           std::uint8_t* HWY_RESTRICT second, std::uint8_t* HWY_RESTRICT third) {
-    int x = 0;
 #if HWY_TARGET != HWY_SCALAR
+template <class D>
+HWY_INLINE int split_by(D d, const std::uint8_t* pixels, int x, int count, std::uint8_t* first,
+                        std::uint8_t* second, std::uint8_t* third) {
     namespace hn = hwy::HWY_NAMESPACE;
-    const hn::ScalableTag<std::uint8_t> d;
     const int lanes = static_cast<int>(hn::Lanes(d));
     for (; x + lanes <= count; x += lanes) {
-        hn::Vec<decltype(d)> a;
-        hn::Vec<decltype(d)> b;
-        hn::Vec<decltype(d)> c;
+        hn::Vec<D> a;
+        hn::Vec<D> b;
+        hn::Vec<D> c;
         hn::LoadInterleaved3(d, pixels + 3 * x, a, b, c);
         hn::StoreU(a, d, first + x);
         hn::StoreU(b, d, second + x);
         hn::StoreU(c, d, third + x);
     }
+    return x;
+}
+#endif
+
+void split(const std::uint8_t* pixels, int count, std::uint8_t* HWY_RESTRICT first,
+           std::uint8_t* HWY_RESTRICT second, std::uint8_t* HWY_RESTRICT third) {
+    int x = 0;
+#if HWY_TARGET != HWY_SCALAR
+    namespace hn = hwy::HWY_NAMESPACE;
+    x = split_by(hn::ScalableTag<std::uint8_t>(), pixels, x, count, first, second, third);
+    // What is left of narrow windows is much of them.
+    x = split_by(hn::FixedTag<std::uint8_t, 16>(), pixels, x, count, first, second, third);
 #endif
     for (; x < count; ++x) {
         first[x] = pixels[3 * x];
