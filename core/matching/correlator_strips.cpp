@@ -6,8 +6,8 @@
 #include "core/matching/correlator.h"
 
 namespace kambara {
-// Column sums over the template's height for the positions' row: rolled on from the row before, or
-// made anew for the first.
+// Column sums over the template's height for the positions' row, and their prefix sums: rolled on
+// from the row before, or made anew for the first.
 void Correlator::roll_to(int row, int columns) {
     const int count = whole_vectors(columns);
     const auto pixels = [&](int plane, int y) {
@@ -18,14 +18,15 @@ void Correlator::roll_to(int row, int columns) {
         std::fill_n(column_squares_.begin(), count, 0U);
     }
     for (int plane = 0; plane < channels_; ++plane) {
-        if (row > 0) {
-            kernels_->roll_columns(pixels(plane, row + height_ - 1), pixels(plane, row - 1), count,
-                                   column_sums_.data(), column_squares_.data());
-            continue;
-        }
-        for (int y = 0; y < height_; ++y) {
-            kernels_->roll_columns(pixels(plane, y), nullptr, count, column_sums_.data(),
-                                   column_squares_.data());
+        const std::uint8_t* removed = row == 0 ? nullptr : pixels(plane, row - 1);
+        for (int y = row == 0 ? 0 : height_ - 1; y < height_; ++y) {
+            if (plane < channels_ - 1 || y < height_ - 1) {
+                kernels_->roll_columns(pixels(plane, row + y), removed, count, column_sums_.data(),
+                                       column_squares_.data());
+            } else {
+                kernels_->roll_and_sum(pixels(plane, row + y), removed, count, column_sums_.data(),
+                                       column_squares_.data(), sums_.data(), squares_.data());
+            }
         }
     }
 }
@@ -86,8 +87,6 @@ void Correlator::score_correlations(const Block& block, int row, float* scores) 
     const int summed = whole_vectors(block.columns + width_ - 1);
     for (int y = 0; y < block.rows; ++y) {
         roll_to(row + y, summed);
-        kernels_->prefix_sums(column_sums_.data(), summed, sums_.data());
-        kernels_->prefix_sums(column_squares_.data(), summed, squares_.data());
         kernels_->correlate(dots + y * strip.stride, sums_.data(), squares_.data(), width_,
                             block.columns, normalisation_, scores + y * block.stride);
     }

@@ -111,8 +111,11 @@ struct Kernels {
                      const std::uint8_t* removed, int width, int count, std::uint32_t* sums,
                      std::uint32_t* costs) = nullptr;
 
-    /// out[0] = 0, out[x + 1] = out[x] + values[x], modulo 2^32: whole vectors, of both.
-    void (*prefix_sums)(const std::uint32_t* values, int count, std::uint32_t* out) = nullptr;
+    /// As roll_columns, and then their prefix sums: out[0] = 0, out[x + 1] = out[x] + column[x],
+    /// modulo 2^32. `added` is not null.
+    void (*roll_and_sum)(const std::uint8_t* added, const std::uint8_t* removed, int count,
+                         std::uint32_t* column_sums, std::uint32_t* column_squares,
+                         std::uint32_t* sums, std::uint32_t* squares) = nullptr;
 
     /// A row of correlations from dot products and the prefix sums of columns of values and squares
     /// under a template of `width` columns. A flat patch, or a flat template, gives 0. What is

@@ -85,10 +85,15 @@ void take_off(const std::uint8_t* added, std::ptrdiff_t stride, int rows,
     }
 }
 
-void prefix_sums(const std::uint32_t* values, int count, std::uint32_t* out) {
-    out[0] = 0;
+void roll_and_sum(const std::uint8_t* added, const std::uint8_t* removed, int count,
+                  std::uint32_t* column_sums, std::uint32_t* column_squares, std::uint32_t* sums,
+                  std::uint32_t* squares) {
+    roll_columns(added, removed, count, column_sums, column_squares);
+    sums[0] = 0;
+    squares[0] = 0;
     for (int x = 0; x < count; ++x) {
-        out[x + 1] = out[x] + values[x];
+        sums[x + 1] = sums[x] + column_sums[x];
+        squares[x + 1] = squares[x] + column_squares[x];
     }
 }
 
@@ -174,7 +179,7 @@ const Kernels& plain_kernels() {
                                  hamming,
                                  roll_columns,
                                  take_off,
-                                 prefix_sums,
+                                 roll_and_sum,
                                  correlate,
                                  multiply_add_at_best,
                                  largest,

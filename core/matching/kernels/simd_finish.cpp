@@ -24,8 +24,10 @@ void take_off(const std::uint8_t* added, std::ptrdiff_t stride, int rows,
               std::uint32_t* costs) {
     plain_kernels().take_off(added, stride, rows, removed, width, count, sums, costs);
 }
-void prefix_sums(const std::uint32_t* values, int count, std::uint32_t* out) {
-    plain_kernels().prefix_sums(values, count, out);
+void roll_and_sum(const std::uint8_t* added, const std::uint8_t* removed, int count,
+                  std::uint32_t* column_sums, std::uint32_t* column_squares, std::uint32_t* sums,
+                  std::uint32_t* squares) {
+    plain_kernels().roll_and_sum(added, removed, count, column_sums, column_squares, sums, squares);
 }
 void correlate(const std::int32_t* dots, const std::uint32_t* sums, const std::uint32_t* squares,
                int width, int count, const Normalisation& norm, float* out) {
@@ -54,21 +56,44 @@ using VU32 = hn::Vec<DU32>;
 using VF = hn::Vec<DF>;
 using VD = hn::Vec<DD>;
 
-void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int count,
-                  std::uint32_t* sums, std::uint32_t* squares) {
+// a^2 - r^2 = (a - r) (a + r), of factors that fit 16 bits.
+HWY_INLINE V32 difference_of_squares(V32 difference, V32 sum) {
+#if HWY_ARCH_X86
+    const hn::Repartition<std::int16_t, D32> d16;
+    V32 unused = hn::Zero(D32());
+    return hn::ReorderWidenMulAccumulate(D32(), hn::BitCast(d16, difference), hn::BitCast(d16, sum),
+                                         hn::Zero(D32()), unused);
+#else
+    return hn::Mul(difference, sum);
+#endif
+}
+
+// A vector of columns rolled on.
+struct Columns {
+    VU32 sums;
+    VU32 squares;
+};
+HWY_INLINE Columns roll(const std::uint8_t* added, const std::uint8_t* removed, std::uint32_t* sums,
+                        std::uint32_t* squares) {
     const D32 d;
     const DU32 du;
     const DBytes bytes;
-    for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(d))) {
-        const V32 a =
-            added != nullptr ? hn::PromoteTo(d, hn::LoadU(bytes, added + x)) : hn::Zero(d);
-        const V32 r =
-            removed != nullptr ? hn::PromoteTo(d, hn::LoadU(bytes, removed + x)) : hn::Zero(d);
-        const V32 difference = hn::Sub(a, r);
-        const V32 of_squares = hn::Mul(difference, hn::Add(a, r));  // a^2 - r^2
-        hn::StoreU(hn::Add(hn::LoadU(du, sums + x), hn::BitCast(du, difference)), du, sums + x);
-        hn::StoreU(hn::Add(hn::LoadU(du, squares + x), hn::BitCast(du, of_squares)), du,
-                   squares + x);
+    const V32 a = added != nullptr ? hn::PromoteTo(d, hn::LoadU(bytes, added)) : hn::Zero(d);
+    const V32 r = removed != nullptr ? hn::PromoteTo(d, hn::LoadU(bytes, removed)) : hn::Zero(d);
+    const V32 difference = hn::Sub(a, r);
+    const V32 of_squares = difference_of_squares(difference, hn::Add(a, r));
+    const Columns rolled{hn::Add(hn::LoadU(du, sums), hn::BitCast(du, difference)),
+                         hn::Add(hn::LoadU(du, squares), hn::BitCast(du, of_squares))};
+    hn::StoreU(rolled.sums, du, sums);
+    hn::StoreU(rolled.squares, du, squares);
+    return rolled;
+}
+
+void roll_columns(const std::uint8_t* added, const std::uint8_t* removed, int count,
+                  std::uint32_t* sums, std::uint32_t* squares) {
+    for (int x = 0; x < count; x += static_cast<int>(hn::Lanes(D32()))) {
+        roll(added != nullptr ? added + x : nullptr, removed != nullptr ? removed + x : nullptr,
+             sums + x, squares + x);
     }
 }
 
@@ -124,23 +149,22 @@ void take_off(const std::uint8_t* added, std::ptrdiff_t stride, int rows,
     }
 }
 
-// Sums from the first lane on, within each 128 bits, then across them.
+// Sums from the first lane on: of two lanes, of four and so on.
 HWY_INLINE VU32 prefix_of(VU32 v) {
-    const DU32 d;
-    v = hn::Add(v, hn::ShiftLeftLanes<1>(v));
-    v = hn::Add(v, hn::ShiftLeftLanes<2>(v));
 #if HWY_TARGET == HWY_AVX3_DL || HWY_TARGET == HWY_AVX3
     const __m512i none = _mm512_setzero_si512();
-    const VU32 totals = hn::Broadcast<3>(v);
-    VU32 before{_mm512_alignr_epi64(totals.raw, none, 6)};
-    before = hn::Add(before, VU32{_mm512_alignr_epi64(before.raw, none, 6)});
-    before = hn::Add(before, VU32{_mm512_alignr_epi64(before.raw, none, 4)});
-    return hn::Add(v, before);
-#elif HWY_TARGET == HWY_AVX2
-    return hn::Add(v, hn::ConcatLowerLower(d, hn::Broadcast<3>(v), hn::Zero(d)));
+    v = hn::Add(v, VU32{_mm512_alignr_epi32(v.raw, none, 15)});
+    v = hn::Add(v, VU32{_mm512_alignr_epi32(v.raw, none, 14)});
+    v = hn::Add(v, VU32{_mm512_alignr_epi32(v.raw, none, 12)});
+    return hn::Add(v, VU32{_mm512_alignr_epi32(v.raw, none, 8)});
 #else
-    static_cast<void>(d);
+    v = hn::Add(v, hn::ShiftLeftLanes<1>(v));
+    v = hn::Add(v, hn::ShiftLeftLanes<2>(v));
+#if HWY_TARGET == HWY_AVX2
+    return hn::Add(v, hn::ConcatLowerLower(DU32(), hn::Broadcast<3>(v), hn::Zero(DU32())));
+#else
     return v;
+#endif
 #endif
 }
 
@@ -154,15 +178,26 @@ HWY_INLINE VU32 last_everywhere(VU32 v) {
 #endif
 }
 
-void prefix_sums(const std::uint32_t* values, int count, std::uint32_t* out) {
-    const DU32 d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    VU32 before = hn::Zero(d);
-    out[0] = 0;
+// The prefix sums of one more vector, on top of those before.
+HWY_INLINE VU32 sum_on(VU32 columns, VU32 before, std::uint32_t* out) {
+    const VU32 sums = prefix_of(columns);
+    hn::StoreU(hn::Add(sums, before), DU32(), out);
+    return hn::Add(before, last_everywhere(sums));
+}
+
+void roll_and_sum(const std::uint8_t* added, const std::uint8_t* removed, int count,
+                  std::uint32_t* column_sums, std::uint32_t* column_squares, std::uint32_t* sums,
+                  std::uint32_t* squares) {
+    const int lanes = static_cast<int>(hn::Lanes(D32()));
+    VU32 sum = hn::Zero(DU32());
+    VU32 square = hn::Zero(DU32());
+    sums[0] = 0;
+    squares[0] = 0;
     for (int x = 0; x < count; x += lanes) {
-        const VU32 sums = prefix_of(hn::LoadU(d, values + x));
-        hn::StoreU(hn::Add(sums, before), d, out + x + 1);
-        before = hn::Add(before, last_everywhere(sums));
+        const Columns columns = roll(added + x, removed != nullptr ? removed + x : nullptr,
+                                     column_sums + x, column_squares + x);
+        sum = sum_on(columns.sums, sum, sums + x + 1);
+        square = sum_on(columns.squares, square, squares + x + 1);
     }
 }
 
@@ -356,7 +391,7 @@ namespace kambara {
 
 HWY_EXPORT(roll_columns);
 HWY_EXPORT(take_off);
-HWY_EXPORT(prefix_sums);
+HWY_EXPORT(roll_and_sum);
 HWY_EXPORT(correlate);
 HWY_EXPORT(largest);
 HWY_EXPORT(smallest);
@@ -365,7 +400,7 @@ void use_simd_finish(Kernels& kernels) {
     const std::size_t target = hwy::GetChosenTarget().GetIndex();
     kernels.roll_columns = HWY_DISPATCH_TABLE(roll_columns)[target];
     kernels.take_off = HWY_DISPATCH_TABLE(take_off)[target];
-    kernels.prefix_sums = HWY_DISPATCH_TABLE(prefix_sums)[target];
+    kernels.roll_and_sum = HWY_DISPATCH_TABLE(roll_and_sum)[target];
     kernels.largest = HWY_DISPATCH_TABLE(largest)[target];
     kernels.smallest = HWY_DISPATCH_TABLE(smallest)[target];
     kernels.correlate = HWY_DISPATCH_TABLE(correlate)[target];

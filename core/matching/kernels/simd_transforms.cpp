@@ -34,22 +34,38 @@ HWY_INLINE void rank_row(const std::uint8_t* const* rows, int count,
     }
 }
 
+HWY_INLINE std::uint8_t rank3_at(const std::uint8_t* const* rows, int x) {
+    int darker = 0;
+    for (int j = 0; j < 3; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+            darker += rows[j][x + i] < rows[1][x] ? 1 : 0;
+        }
+    }
+    return static_cast<std::uint8_t>(darker);
+}
+
 void rank3(const std::uint8_t* const* rows, int count, std::uint8_t* HWY_RESTRICT out) {
-    const std::uint8_t* HWY_RESTRICT above = rows[0];
-    const std::uint8_t* HWY_RESTRICT centre = rows[1];
-    const std::uint8_t* HWY_RESTRICT below = rows[2];
-    for (int x = 0; x < count; ++x) {
-        const std::uint8_t c = centre[x];
-        std::uint8_t darker = 0;
-        darker = static_cast<std::uint8_t>(darker + (above[x - 1] < c ? 1 : 0));
-        darker = static_cast<std::uint8_t>(darker + (above[x] < c ? 1 : 0));
-        darker = static_cast<std::uint8_t>(darker + (above[x + 1] < c ? 1 : 0));
-        darker = static_cast<std::uint8_t>(darker + (centre[x - 1] < c ? 1 : 0));
-        darker = static_cast<std::uint8_t>(darker + (centre[x + 1] < c ? 1 : 0));
-        darker = static_cast<std::uint8_t>(darker + (below[x - 1] < c ? 1 : 0));
-        darker = static_cast<std::uint8_t>(darker + (below[x] < c ? 1 : 0));
-        darker = static_cast<std::uint8_t>(darker + (below[x + 1] < c ? 1 : 0));
-        out[x] = darker;
+    int x = 0;
+#if HWY_TARGET != HWY_SCALAR
+    namespace hn = hwy::HWY_NAMESPACE;
+    const hn::ScalableTag<std::uint8_t> d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const auto one = hn::Set(d, 1);
+    while (count >= lanes && x < count) {
+        // The last vector ends with the row, and does a part of the one before again.
+        const int at = std::min(x, count - lanes);
+        const auto centre = hn::LoadU(d, rows[1] + at);
+        auto darker = hn::Zero(d);
+        for (int k = 0; k < 9; ++k) {
+            const auto neighbour = hn::LoadU(d, rows[k / 3] + at + k % 3 - 1);
+            darker = hn::Add(darker, hn::Min(hn::SaturatedSub(centre, neighbour), one));
+        }
+        hn::StoreU(darker, d, out + at);
+        x += lanes;
+    }
+#endif
+    for (; x < count; ++x) {
+        out[x] = rank3_at(rows, x);
     }
 }
 
