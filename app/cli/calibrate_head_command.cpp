@@ -96,6 +96,7 @@ nlohmann::json json_of(const HeadCalibration& result, const nlohmann::json& reje
         json["pair_rms_px"] = *result.pair_rms_px;
     }
     if (result.by_rig) {
+        json["pan_tilt_lens_held"] = result.by_rig->pan_tilt_lens_held;
         json["rig_most_moved"] = result.by_rig->most_moved;
         json["rig_most_moved_sigmas"] = result.by_rig->most_moved_sigmas;
     }
@@ -128,7 +129,10 @@ std::string about_rig(const HeadCalibration& result, bool refined) {
                   refined ? "The rig is written as the views correct it."
                           : "The rig is written as it was, with the head's numbers that steer best "
                             "beside it; --refine-rig writes both as the views correct them.");
-    return text;
+    return text + std::string(result.by_rig->pan_tilt_lens_held
+                                  ? "The pan-tilt camera's lens is held: its file has no "
+                                    "pan_tilt_lens_covariance, so its error is in no deviation.\n"
+                                  : "");
 }
 
 std::string backlash(const char* axis, bool seen, double rad, double sigma_rad) {

@@ -200,6 +200,14 @@ void fill_report(const Bundle& bundle, const BundleCovariance& covariance,
         report.stereo_rms_px = rms_of(report.residuals, 1);
     }
     report.rig = rig_of(report, options);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (places[k] == 2) {
+            const auto at = static_cast<Eigen::Index>(k * camera_parameters);
+            const auto n =
+                static_cast<Eigen::Index>(lens_parameter_names(report.rig.pan_tilt->lens).size());
+            report.rig.pan_tilt_lens_covariance = covariance.cameras.block(at, at, n, n);
+        }
+    }
     if (report.cameras[1]) {
         report.rig.parameter_covariance = parameter_covariance(bundle, covariance, report.rig);
         RangeErrorOptions& range = report.range_options;

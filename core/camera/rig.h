@@ -57,6 +57,8 @@ struct Rig {
     /// What the calibration leaves open of the left and right camera, in the order and units of
     /// rig_parameters.h; empty where that is not known.
     std::optional<Eigen::MatrixXd> parameter_covariance;
+    /// Likewise of the pan-tilt camera's lens by itself, in the order of lens_parameter_names().
+    std::optional<Eigen::MatrixXd> pan_tilt_lens_covariance;
 };
 
 /// The rig of two lenses and the pose between them, with the rig frame as defined above.

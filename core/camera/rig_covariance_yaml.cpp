@@ -61,18 +61,13 @@ void write_list(YAML::Emitter& out, const Eigen::VectorXd& values, const ToText&
     out << YAML::EndSeq;
 }
 
-}  // namespace
-
-std::string read_covariance(const YAML::Node& section, Rig& rig) {
-    const auto names = rig_parameter_names(rig);
-    if (names.empty()) {
-        return "belongs to a pair of cameras, and there is no right one";
-    }
+std::string read_section(const YAML::Node& section, const std::vector<std::string>& names,
+                         std::optional<Eigen::MatrixXd>& into) {
     if (!section.IsMap()) {
         return "is no section of its own";
     }
     if (!names_are(section["parameters"], names)) {
-        return "is not of the parameters of these two lenses, in their order";
+        return "is not of the parameters of the file's lenses, in their order";
     }
     const auto sigma = numbers_of(section["sigma"], names.size());
     const YAML::Node rows = section["correlation"];
@@ -92,21 +87,18 @@ std::string read_covariance(const YAML::Node& section, Rig& rig) {
             covariance(i, j) = covariance(j, i) = (*row)[j] * (*sigma)[i] * (*sigma)[j];
         }
     }
-    if (auto fault = covariance_fault(rig, covariance); !fault.empty()) {
+    if (auto fault = covariance_fault(n, covariance); !fault.empty()) {
         return fault;
     }
-    rig.parameter_covariance = std::move(covariance);
+    into = std::move(covariance);
     return {};
 }
 
-void write_covariance(YAML::Emitter& out, const Rig& rig) {
-    if (!rig.parameter_covariance) {
-        return;
-    }
-    const Eigen::MatrixXd& covariance = *rig.parameter_covariance;
+void write_section(YAML::Emitter& out, const char* key, const std::vector<std::string>& names,
+                   const Eigen::MatrixXd& covariance) {
     const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-    out << YAML::Key << "calibration_covariance" << YAML::Value << YAML::BeginMap;
-    out << YAML::Key << "parameters" << YAML::Value << YAML::Flow << rig_parameter_names(rig);
+    out << YAML::Key << key << YAML::Value << YAML::BeginMap;
+    out << YAML::Key << "parameters" << YAML::Value << YAML::Flow << names;
     out << YAML::Key << "sigma" << YAML::Value;
     write_list(out, sigma, [](double value) { return digits(value); });
     out << YAML::Key << "correlation" << YAML::Value << YAML::BeginSeq;
@@ -120,6 +112,35 @@ void write_covariance(YAML::Emitter& out, const Rig& rig) {
         write_list(out, row, fourteen_digits);
     }
     out << YAML::EndSeq << YAML::EndMap;
+}
+
+}  // namespace
+
+std::string read_covariance(const YAML::Node& section, Rig& rig) {
+    const auto names = rig_parameter_names(rig);
+    if (names.empty()) {
+        return "belongs to a pair of cameras, and there is no right one";
+    }
+    return read_section(section, names, rig.parameter_covariance);
+}
+
+std::string read_lens_covariance(const YAML::Node& section, Rig& rig) {
+    if (!rig.pan_tilt) {
+        return "belongs to a pan-tilt camera, and there is none";
+    }
+    return read_section(section, lens_parameter_names(rig.pan_tilt->lens),
+                        rig.pan_tilt_lens_covariance);
+}
+
+void write_covariances(YAML::Emitter& out, const Rig& rig) {
+    if (rig.parameter_covariance) {
+        write_section(out, "calibration_covariance", rig_parameter_names(rig),
+                      *rig.parameter_covariance);
+    }
+    if (rig.pan_tilt && rig.pan_tilt_lens_covariance) {
+        write_section(out, "pan_tilt_lens_covariance", lens_parameter_names(rig.pan_tilt->lens),
+                      *rig.pan_tilt_lens_covariance);
+    }
 }
 
 }  // namespace kambara

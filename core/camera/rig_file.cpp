@@ -236,6 +236,11 @@ Rig read_rig(const YAML::Node& root) {
             throw Fault{"calibration_covariance", std::move(fault)};
         }
     }
+    if (const auto section = root["pan_tilt_lens_covariance"]) {
+        if (auto fault = read_lens_covariance(section, rig); !fault.empty()) {
+            throw Fault{"pan_tilt_lens_covariance", std::move(fault)};
+        }
+    }
     if (const auto from = root["provenance"]; from && from.IsMap()) {
         rig.provenance.method = text_or_empty(from, "method");
         rig.provenance.created = text_or_empty(from, "created");
@@ -400,7 +405,7 @@ std::string rig_to_text(const Rig& rig) {
     if (rig.mount) {
         write_mount(out, *rig.mount);
     }
-    write_covariance(out, rig);
+    write_covariances(out, rig);
     out << YAML::EndMap;
     return std::string(out.c_str()) + "\n";
 }

@@ -42,7 +42,16 @@ int lens_parameters(const Lens& lens) {
     return static_cast<int>(lens_parameter_names(lens).size());
 }
 
-Eigen::Matrix2Xd pixel_by_lens(const Lens& lens, const Eigen::Vector3d& point_in_camera_mm) {
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+    Eigen::Matrix3d m;
+    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return m;
+}
+
+}  // namespace
+
+Eigen::Matrix2Xd pixel_by_lens_parameters(const Lens& lens,
+                                          const Eigen::Vector3d& point_in_camera_mm) {
     const double x = point_in_camera_mm.x() / point_in_camera_mm.z();
     const double y = point_in_camera_mm.y() / point_in_camera_mm.z();
     const LensNumbers numbers = numbers_of(lens);
@@ -60,7 +69,7 @@ Eigen::Matrix2Xd pixel_by_lens(const Lens& lens, const Eigen::Vector3d& point_in
     return result;
 }
 
-Lens moved(const Lens& lens, const Eigen::VectorXd& by) {
+Lens with_lens_moved(const Lens& lens, const Eigen::VectorXd& by) {
     if (const auto* brown = std::get_if<BrownLens>(&lens)) {
         std::vector<double> terms = brown->distortion();
         for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -77,14 +86,6 @@ Lens moved(const Lens& lens, const Eigen::VectorXd& by) {
     tsai.sx += by[4];
     return tsai;
 }
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-    Eigen::Matrix3d m;
-    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-    return m;
-}
-
-}  // namespace
 
 std::vector<std::string> lens_parameter_names(const Lens& lens) {
     const auto* brown = std::get_if<BrownLens>(&lens);
@@ -134,8 +135,8 @@ std::optional<Eigen::Matrix<double, 4, Eigen::Dynamic>> pixels_by_parameters(
     const int right = lens_parameters(rig.right->lens);
     Eigen::Matrix<double, 4, Eigen::Dynamic> result =
         Eigen::Matrix<double, 4, Eigen::Dynamic>::Zero(4, left + right + pose_parameters);
-    result.block(0, 0, 2, left) = pixel_by_lens(rig.left.lens, point_in_left_mm);
-    result.block(2, left, 2, right) = pixel_by_lens(rig.right->lens, in_right);
+    result.block(0, 0, 2, left) = pixel_by_lens_parameters(rig.left.lens, point_in_left_mm);
+    result.block(2, left, 2, right) = pixel_by_lens_parameters(rig.right->lens, in_right);
     result.block<2, 3>(2, left + right) = -right_by_point * cross_matrix(turned);
     result.block<2, 3>(2, left + right + 3) = right_by_point;
     return result;
@@ -151,15 +152,18 @@ Rig with_parameters_moved(const Rig& rig, const Eigen::VectorXd& by) {
                                        ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
                                        : Eigen::Matrix3d::Identity();
     Rig result = rig;
-    result.left.lens = moved(rig.left.lens, by.head(left));
-    result.right->lens = moved(rig.right->lens, by.segment(left, right));
+    result.left.lens = with_lens_moved(rig.left.lens, by.head(left));
+    result.right->lens = with_lens_moved(rig.right->lens, by.segment(left, right));
     result.right->T_camera_from_rig =
         RigidTransform{turned * T.R, T.t_mm + by.tail<3>()} * rig.left.T_camera_from_rig;
     return result;
 }
 
 std::string covariance_fault(const Rig& rig, const Eigen::MatrixXd& covariance) {
-    const auto n = static_cast<Eigen::Index>(rig_parameter_names(rig).size());
+    return covariance_fault(static_cast<Eigen::Index>(rig_parameter_names(rig).size()), covariance);
+}
+
+std::string covariance_fault(Eigen::Index n, const Eigen::MatrixXd& covariance) {
     if (covariance.rows() != n || covariance.cols() != n) {
         return "does not have a row for each parameter";
     }

@@ -26,6 +26,14 @@ std::vector<std::string> lens_parameter_names(const Lens& lens);
 std::optional<Eigen::Matrix<double, 4, Eigen::Dynamic>> pixels_by_parameters(
     const Rig& rig, const Eigen::Vector3d& point_in_left_mm);
 
+/// How the pixel of a point changes with each of a lens's numbers: 2 x n. The point must be within
+/// the lens's range.
+Eigen::Matrix2Xd pixel_by_lens_parameters(const Lens& lens,
+                                          const Eigen::Vector3d& point_in_camera_mm);
+
+/// The lens whose numbers are more by so much.
+Lens with_lens_moved(const Lens& lens, const Eigen::VectorXd& by);
+
 /// The rig whose parameters are more by so much, in the order of the names above. The rig's frame
 /// stays where the left camera holds it, so it is that of rig.h only to the first order:
 /// rig_from_pair() lays it anew. Needs a right camera.
@@ -34,5 +42,7 @@ Rig with_parameters_moved(const Rig& rig, const Eigen::VectorXd& by);
 /// Why a matrix can't be the parameters' covariance; empty when it can be. Zeros are allowed, for
 /// what was held fixed.
 std::string covariance_fault(const Rig& rig, const Eigen::MatrixXd& covariance);
+/// Of so many parameters.
+std::string covariance_fault(Eigen::Index parameters, const Eigen::MatrixXd& covariance);
 
 }  // namespace kambara

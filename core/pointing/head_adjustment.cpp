@@ -138,19 +138,38 @@ HeadAdjustment::HeadAdjustment(const Rig& rig, const std::vector<HeadView>& view
                                     [](const HeadView& view) { return !view.pair.empty(); });
     if (rig.right && rig.parameter_covariance && paired) {
         by_rig_axis_ = axes_of(*rig.parameter_covariance);
+        if (rig.pan_tilt_lens_covariance) {
+            by_lens_axis_ = axes_of(*rig.pan_tilt_lens_covariance);
+        }
     }
 }
 
 HeadUnknowns HeadAdjustment::start(const HeadModel& model) const {
-    return {model, Eigen::VectorXd::Zero(by_rig_axis_.cols()),
+    return {model, Eigen::VectorXd::Zero(by_rig_axis_.cols() + by_lens_axis_.cols()),
             std::vector<RigidTransform>(views_.size())};
 }
 
 Eigen::VectorXd HeadAdjustment::parameters_off(const HeadUnknowns& at) const {
-    return by_rig_axis_ * at.rig_off;
+    return by_rig_axis_ * at.rig_off.head(by_rig_axis_.cols());
 }
 
-bool HeadAdjustment::add_head_pixels(const HeadUnknowns& at, std::size_t view, Rows& rows) const {
+Eigen::VectorXd HeadAdjustment::lens_off(const HeadUnknowns& at) const {
+    return by_lens_axis_ * at.rig_off.tail(by_lens_axis_.cols());
+}
+
+Eigen::MatrixXd HeadAdjustment::parameters_left(const Eigen::MatrixXd& covariance) const {
+    const Eigen::Index axes = by_rig_axis_.cols();
+    return by_rig_axis_ * covariance.block(head_numbers, head_numbers, axes, axes) *
+           by_rig_axis_.transpose();
+}
+
+Eigen::MatrixXd HeadAdjustment::lens_left(const Eigen::MatrixXd& covariance) const {
+    const Eigen::Index axes = by_lens_axis_.cols();
+    return by_lens_axis_ * covariance.bottomRightCorner(axes, axes) * by_lens_axis_.transpose();
+}
+
+bool HeadAdjustment::add_head_pixels(const HeadUnknowns& at, const Lens& lens, std::size_t view,
+                                     Rows& rows) const {
     const HeadView& seen = views_[view];
     const RigidTransform T =
         T_camera_from_rig(at.model, axes_at(at.model, seen.encoder, seen.approach));
@@ -160,7 +179,7 @@ bool HeadAdjustment::add_head_pixels(const HeadUnknowns& at, std::size_t view, R
     for (const HeadSighting& one : seen.sightings) {
         const Eigen::Vector3d point = placed * one.point_in_rig_mm;
         Eigen::Matrix<double, 2, 3> by_point;
-        const auto pixel = kambara::project(rig_.pan_tilt->lens, T * point, by_point);
+        const auto pixel = kambara::project(lens, T * point, by_point);
         if (!pixel) {
             return false;
         }
@@ -168,6 +187,11 @@ bool HeadAdjustment::add_head_pixels(const HeadUnknowns& at, std::size_t view, R
         for (std::size_t i = 0; i < by_numbers.size(); ++i) {
             rows.by_shared.block<2, 1>(rows.row, static_cast<Eigen::Index>(i)) =
                 by_point * (by_numbers[i] * point);
+        }
+        if (lens_takes_part()) {
+            rows.by_shared.block(rows.row, head_numbers + by_rig_axis_.cols(), 2,
+                                 by_lens_axis_.cols()) =
+                pixel_by_lens_parameters(lens, T * point) * by_lens_axis_;
         }
         const Eigen::Matrix<double, 2, 3> by_shift = by_point * T.R;
         rows.by_place.block<2, 3>(rows.row, 0) = -by_shift * cross_matrix(point - middle);
@@ -211,8 +235,10 @@ bool HeadAdjustment::add_pair_pixels(const HeadUnknowns& at, const Rig& rig, std
 
 std::optional<HeadAdjustment::Equations> HeadAdjustment::equations(const HeadUnknowns& at,
                                                                    const Sigmas& sigmas) const {
-    const Eigen::Index axes = by_rig_axis_.cols();
+    const Eigen::Index axes = by_rig_axis_.cols() + by_lens_axis_.cols();
     const Eigen::Index shared = head_numbers + axes;
+    const Lens lens = lens_takes_part() ? with_lens_moved(rig_.pan_tilt->lens, lens_off(at))
+                                        : rig_.pan_tilt->lens;
     const Rig rig = rig_takes_part() ? with_parameters_moved(rig_, parameters_off(at)) : rig_;
     const HeadStep weights = belief_weights();
     const HeadStep beliefs = beliefs_of(at.model);
@@ -227,7 +253,7 @@ std::optional<HeadAdjustment::Equations> HeadAdjustment::equations(const HeadUnk
         const auto head_rows = static_cast<Eigen::Index>(2 * views_[view].sightings.size());
         const auto pair_rows = static_cast<Eigen::Index>(4 * views_[view].pair.size());
         Rows rows(head_rows + pair_rows, shared);
-        if (!add_head_pixels(at, view, rows) || !add_pair_pixels(at, rig, view, rows)) {
+        if (!add_head_pixels(at, lens, view, rows) || !add_pair_pixels(at, rig, view, rows)) {
             return std::nullopt;
         }
         result.squares.head_px2 += rows.errors.head(head_rows).squaredNorm();
@@ -328,7 +354,8 @@ HeadAdjustment::Sigmas HeadAdjustment::sigmas_of(const Squares& squares) const {
 
 // What errs together within a view, such as its angles as told, scatters from view to view by more
 // than single pixels would (the sandwich estimator, clustered by view: Liang and Zeger, Biometrika
-// 73, 1986). The rig is off by the same in all of them: its own deviation is added to the scatter.
+// 73, 1986). The rig and the lens are off by the same in all of them: their own deviation is added
+// to the scatter.
 Eigen::MatrixXd HeadAdjustment::covariance(const Equations& at_solution) const {
     const Eigen::Index shared = at_solution.shared.rows();
     Eigen::MatrixXd information = at_solution.shared;
@@ -342,7 +369,7 @@ Eigen::MatrixXd HeadAdjustment::covariance(const Equations& at_solution) const {
     }
     const double told = 3.0 * static_cast<double>(views_.size());  // a place a view at least
     scatter *= told / std::max(1.0, told - head_numbers);
-    scatter.diagonal().tail(by_rig_axis_.cols()).array() += 1.0;
+    scatter.diagonal().tail(shared - head_numbers).array() += 1.0;
     const Eigen::MatrixXd by_pixels = information.inverse();
     const Eigen::MatrixXd by_views = by_pixels * scatter * by_pixels;
     // Scaled number by number, so that it stays a covariance.

@@ -13,8 +13,9 @@ namespace kambara {
 constexpr int head_numbers = 16;
 
 /// What calibrate_head() looks for: the head's sixteen numbers (base turn 0-2, base place 3-5, arm
-/// 6, skew 7, camera turn 8-10, camera place 11-13, backlash 14-15), what the rig is off by along
-/// the axes of its covariance, in deviations, and by what each view's target is moved.
+/// 6, skew 7, camera turn 8-10, camera place 11-13, backlash 14-15), what the rig and then the
+/// pan-tilt camera's lens are off by along the axes of their covariances, in deviations, and by
+/// what each view's target is moved.
 struct HeadUnknowns {
     HeadModel model;
     Eigen::VectorXd rig_off;
@@ -25,7 +26,8 @@ struct HeadUnknowns {
 /// head, by Levenberg and Marquardt; the views' own unknowns are eliminated (Schur's complement).
 class HeadAdjustment {
   public:
-    /// The rig takes part where it has a covariance and a view has pixels of the fixed cameras.
+    /// The rig takes part where it has a covariance and a view has pixels of the fixed cameras; the
+    /// pan-tilt camera's lens where that has one, too.
     HeadAdjustment(const Rig& rig, const std::vector<HeadView>& views);
 
     /// Deviations of the pixels that the squares are weighed by.
@@ -67,21 +69,28 @@ class HeadAdjustment {
     Eigen::MatrixXd covariance(const Equations& at_solution) const;
 
     bool rig_takes_part() const { return by_rig_axis_.cols() > 0; }
+    bool lens_takes_part() const { return by_lens_axis_.cols() > 0; }
     /// By how much the rig's parameters (rig_parameters.h) are more.
     Eigen::VectorXd parameters_off(const HeadUnknowns& at) const;
-    /// The parameters by one deviation along each axis of their covariance.
-    const Eigen::MatrixXd& by_rig_axis() const { return by_rig_axis_; }
+    /// By how much the pan-tilt camera's lens's are more.
+    Eigen::VectorXd lens_off(const HeadUnknowns& at) const;
+    /// What is left of their covariances, of that of all shared unknowns.
+    Eigen::MatrixXd parameters_left(const Eigen::MatrixXd& covariance) const;
+    Eigen::MatrixXd lens_left(const Eigen::MatrixXd& covariance) const;
 
   private:
     struct Rows;
-    bool add_head_pixels(const HeadUnknowns& at, std::size_t view, Rows& rows) const;
+    bool add_head_pixels(const HeadUnknowns& at, const Lens& lens, std::size_t view,
+                         Rows& rows) const;
     bool add_pair_pixels(const HeadUnknowns& at, const Rig& rig, std::size_t view,
                          Rows& rows) const;
     HeadUnknowns stepped(const HeadUnknowns& at, const Equations& equations, double damping) const;
 
     const Rig& rig_;
     const std::vector<HeadView>& views_;
+    // Parameters by one deviation along each axis of their covariance.
     Eigen::MatrixXd by_rig_axis_;
+    Eigen::MatrixXd by_lens_axis_;
 };
 
 }  // namespace kambara

@@ -92,8 +92,7 @@ void forget_unseen(const HeadCalibration& result, HeadModel& model) {
 }
 
 // In the frame that rig.h defines, which a moved right camera turns.
-Rig refined_rig(const Rig& rig, const HeadModel& model, const Eigen::VectorXd& by,
-                const Eigen::MatrixXd& covariance) {
+Rig refined_rig(const Rig& rig, const HeadModel& model, const Eigen::VectorXd& by) {
     const Rig moved = with_parameters_moved(rig, by);
     const Rig anew = rig_from_pair(moved.left, *moved.right, T_right_from_left(moved));
     const RigidTransform T_given_from_anew =
@@ -101,28 +100,39 @@ Rig refined_rig(const Rig& rig, const HeadModel& model, const Eigen::VectorXd& b
     Rig result = rig;
     result.left = anew.left;
     result.right = anew.right;
-    result.parameter_covariance = covariance;
     HeadModel turned = model;
     turned.T_base_from_rig = model.T_base_from_rig * T_given_from_anew;
     return with_head_model(result, turned);
 }
 
+void note_most_moved(const std::vector<std::string>& names, const std::string& of,
+                     const Eigen::VectorXd& off, const Eigen::MatrixXd& before,
+                     RigByHeadViews& result) {
+    for (Eigen::Index i = 0; i < off.size(); ++i) {
+        const double sigma = std::sqrt(before(i, i));
+        if (sigma > 0.0 && std::abs(off[i]) > result.most_moved_sigmas * sigma) {
+            result.most_moved_sigmas = std::abs(off[i]) / sigma;
+            result.most_moved = of + names[static_cast<std::size_t>(i)];
+        }
+    }
+}
+
 RigByHeadViews rig_by_views(const Rig& rig, const HeadModel& model, const HeadAdjustment& problem,
                             const HeadUnknowns& found, const Eigen::MatrixXd& covariance) {
     const Eigen::VectorXd off = problem.parameters_off(found);
-    const auto names = rig_parameter_names(rig);
     RigByHeadViews result;
-    for (Eigen::Index i = 0; i < off.size(); ++i) {
-        const double sigma = std::sqrt((*rig.parameter_covariance)(i, i));
-        if (sigma > 0.0 && std::abs(off[i]) > result.most_moved_sigmas * sigma) {
-            result.most_moved_sigmas = std::abs(off[i]) / sigma;
-            result.most_moved = names[static_cast<std::size_t>(i)];
-        }
+    note_most_moved(rig_parameter_names(rig), "", off, *rig.parameter_covariance, result);
+    result.refined = refined_rig(rig, model, off);
+    result.refined.parameter_covariance = problem.parameters_left(covariance);
+    if (problem.lens_takes_part()) {
+        const Eigen::VectorXd of_lens = problem.lens_off(found);
+        Lens& lens = result.refined.pan_tilt->lens;
+        note_most_moved(lens_parameter_names(lens), "pan_tilt.", of_lens,
+                        *rig.pan_tilt_lens_covariance, result);
+        lens = with_lens_moved(lens, of_lens);
+        result.refined.pan_tilt_lens_covariance = problem.lens_left(covariance);
+        result.pan_tilt_lens_held = false;
     }
-    const Eigen::Index axes = found.rig_off.size();
-    const Eigen::MatrixXd& by_axis = problem.by_rig_axis();
-    result.refined = refined_rig(
-        rig, model, off, by_axis * covariance.bottomRightCorner(axes, axes) * by_axis.transpose());
     return result;
 }
 

@@ -44,11 +44,12 @@ struct HeadCalibrationOptions {
 
 /// What the views say of the rig itself.
 struct RigByHeadViews {
-    /// The parameter (rig_parameters.h) that they move most against its own deviation, and by how
-    /// many of these: more than three says that the rig has changed since it was calibrated, or
-    /// that its covariance is too narrow.
+    /// The parameter (rig_parameters.h, or pan_tilt. and a lens's) that they move most against its
+    /// own deviation, and by how many of these: more than three says that the rig has changed since
+    /// it was calibrated, or that its covariance is too narrow.
     std::string most_moved;
     double most_moved_sigmas = 0.0;
+    bool pan_tilt_lens_held = true;  ///< nothing tells how well it is known
     /// The rig so moved, with the head's model in it and the covariance that is left.
     Rig refined;
 };
@@ -83,7 +84,8 @@ struct HeadCalibration {
 /// cameras' pixels, the target's pose in each is unknown as well; where the rig has a covariance,
 /// too, so are the rig's parameters, with its own calibration as what is believed of them. The
 /// deviations of the pixels are taken from their scatter, the fixed cameras' and the head's each by
-/// itself. The pan-tilt camera's lens is held.
+/// itself. Likewise the pan-tilt camera's lens, where the rig has its covariance, too; else it is
+/// held.
 /// What the views leave open is held near nothing by weak beliefs: levers to 200 mm, skew and the
 /// camera's turn to 6 degrees, backlash to 3. The deviations are the pixels' and the rig's carried
 /// over, or the views' scatter where that says more. Where the rig has no covariance (by_rig is

@@ -85,6 +85,7 @@ Result<std::pair<Rig, CalibrationOutcome>> CalibrationViews::calibrate(const Cal
         report.rig.pan_tilt = before.pan_tilt;
         report.rig.pan_tilt->T_camera_from_rig =
             before.pan_tilt->T_camera_from_rig * T_before_from_now;
+        report.rig.pan_tilt_lens_covariance = before.pan_tilt_lens_covariance;
         report.rig.head = before.head;
         if (report.rig.head) {
             report.rig.head->T_base_from_rig = before.head->T_base_from_rig * T_before_from_now;

@@ -218,6 +218,28 @@ TEST(RigFile, KeepsTheCalibrationsCovariance) {
     EXPECT_FALSE(rig_from_text(rig_to_text(nominal_rig()))->parameter_covariance);
 }
 
+TEST(RigFile, KeepsTheCovarianceOfThePanTiltLens) {
+    Rig rig = nominal_rig();
+    Eigen::MatrixXd covariance = Eigen::VectorXd::LinSpaced(5, 0.1, 0.5).asDiagonal();
+    covariance(0, 1) = covariance(1, 0) = 0.04;
+    rig.pan_tilt_lens_covariance = covariance;
+    const std::string text = rig_to_text(rig);
+    const auto again = rig_from_text(text);
+    ASSERT_TRUE(again) << again.error().text();
+    ASSERT_TRUE(again->pan_tilt_lens_covariance);
+    EXPECT_LT((covariance - *again->pan_tilt_lens_covariance).norm(), 1e-12);
+    EXPECT_FALSE(again->parameter_covariance);
+    EXPECT_EQ(rig_to_text(*again), text);
+    YAML::Node root = YAML::Load(text);
+    root["pan_tilt_lens_covariance"]["sigma"][2] = "-1";
+    EXPECT_FALSE(rig_from_text(YAML::Dump(root)));
+    root = YAML::Load(text);
+    root["cameras"].remove("pan_tilt");
+    const auto none = rig_from_text(YAML::Dump(root));
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().cause.find("pan_tilt_lens_covariance"), std::string::npos);
+}
+
 TEST(RigFile, RefusesACovarianceThatIsNone) {
     const Rig rig = rig_with_covariance();
     const std::string section = "calibration_covariance";

@@ -57,6 +57,13 @@ class CaseMaker {
         const Eigen::VectorXd off =
             Eigen::VectorXd::NullaryExpr(L.rows(), [&] { return rig_sigmas * normal_(random_); });
         made_.truth = with_head_model(with_parameters_moved(given, L * off), some_head());
+        // The pan-tilt camera's lens likewise: f, kappa1, Cx, Cy, s_x.
+        Eigen::VectorXd sigma(5);
+        sigma << 0.004, 5e-5, 0.4, 0.4, 2e-4;
+        given.pan_tilt_lens_covariance = sigma.cwiseAbs2().asDiagonal();
+        made_.truth.pan_tilt->lens = with_lens_moved(
+            made_.truth.pan_tilt->lens, sigma.cwiseProduct(Eigen::VectorXd::NullaryExpr(
+                                            5, [&] { return rig_sigmas * normal_(random_); })));
         made_.given = given;
     }
 
@@ -150,6 +157,17 @@ void print(const char* what, const Told& told) {
                 what, told.ahead, told.arm, told.place, told.turn);
 }
 
+// Where a point is seen instead of where the rig in use has the axis, as an angle.
+double apart_rad(const Rig& used, const Rig& truth, const HeadAngles& aim,
+                 const Eigen::Vector3d& point) {
+    const Lens& lens = truth.pan_tilt->lens;
+    const auto ray = [&](const Eigen::Vector3d& in_camera, const Lens& by) {
+        return kambara::unproject(lens, kambara::project(by, in_camera).value()).value().direction;
+    };
+    const Eigen::Vector3d seen = ray(T_camera_from_rig(*truth.head, aim) * point, lens);
+    return std::asin(seen.cross(ray(Eigen::Vector3d::UnitZ(), used.pan_tilt->lens)).norm());
+}
+
 // Root mean square of the angle by which the head misses what the rig in use places, 0.7 m away.
 double miss_deg(const Rig& used, const Rig& truth) {
     double squares = 0.0;
@@ -162,8 +180,7 @@ double miss_deg(const Rig& used, const Rig& truth) {
             const Eigen::Vector3d found = placed(used, truth.left.project(point).value(),
                                                  truth.right->project(point).value());
             const HeadAngles aim = angles_towards(used, used.left.T_camera_from_rig * found);
-            squares +=
-                std::pow(aiming_error_rad(truth, aim, truth.left.T_camera_from_rig * point), 2);
+            squares += std::pow(apart_rad(used, truth, aim, point), 2);
             ++count;
         }
     }
