@@ -214,17 +214,28 @@ HWY_INLINE void add_falling(Descent& at, AreaSums<ROWS, VECTORS>& sums) {
     }
 }
 
-// So many of the next `steps` as the sums have room for, at least `least`: empties them if it must.
+// Before a column of bytes: what its first and last rows add to any sum, ROWS - 1 steps, is spoken
+// for.
 template <int ROWS, int VECTORS>
-HWY_INLINE int make_room(int steps, int least, int most_bits, Descent& at,
-                         AreaSums<ROWS, VECTORS>& sums) {
-    if (most_bits == 0) {
-        return steps;
-    }
-    if (at.in_sum + least * most_bits > most_in_sum) {
+HWY_INLINE void begin_column(int most_bits, Descent& at, AreaSums<ROWS, VECTORS>& sums) {
+    if (at.in_sum + ROWS * most_bits > most_in_sum) {
         empty_all<ROWS, VECTORS>(at, sums);
         clear<ROWS, VECTORS>(sums);
         at.in_sum = 0;
+    }
+    at.in_sum += (ROWS - 1) * most_bits;
+}
+
+// So many of the next steps as the sums have room for, at least one.
+template <int ROWS, int VECTORS>
+HWY_INLINE int make_room(int steps, int most_bits, Descent& at, AreaSums<ROWS, VECTORS>& sums) {
+    if (most_bits == 0) {
+        return steps;
+    }
+    if (at.in_sum + most_bits > most_in_sum) {
+        empty_all<ROWS, VECTORS>(at, sums);
+        clear<ROWS, VECTORS>(sums);
+        at.in_sum = (ROWS - 1) * most_bits;
     }
     const int room = (most_in_sum - at.in_sum) / most_bits;
     const int now = steps < room ? steps : room;
@@ -237,17 +248,16 @@ template <int ROWS, int VECTORS>
 HWY_NOINLINE void hamming_area(const Planes& image, const PackedTemplate& templ, const Steps& steps,
                                const std::uint8_t* first_pixel, int columns, std::uint32_t* out,
                                std::ptrdiff_t out_stride) {
-    constexpr int edge = 2 * (ROWS - 1);  // steps of rising and falling
     AreaSums<ROWS, VECTORS> sums;
     clear<ROWS, VECTORS>(sums);
     Descent at{first_pixel, image.stride, steps.steps.data(), columns, out, out_stride, 0, false};
     for (int plane = 0; plane < templ.planes; ++plane) {
         for (int i = 0; i < templ.padded_width; ++i) {
             at.pixels = first_pixel + plane * image.plane_stride + i * templ.column_step;
-            make_room<ROWS, VECTORS>(edge, edge, steps.most_bits, at, sums);
+            begin_column<ROWS, VECTORS>(steps.most_bits, at, sums);
             add_rising<0, ROWS, VECTORS>(at, sums);
             for (int left = templ.height - ROWS + 1; left > 0;) {
-                const int now = make_room<ROWS, VECTORS>(left, 1, steps.most_bits, at, sums);
+                const int now = make_room<ROWS, VECTORS>(left, steps.most_bits, at, sums);
                 for (int k = 0; k < now; ++k) {
                     add_next<0, ROWS - 1, ROWS, VECTORS>(at, at.step++, sums);
                 }

@@ -183,6 +183,30 @@ TEST_P(CorrelatorTest, NothingOverflowsInTheLargestTemplates) {
     }
 }
 
+// Of templates with few bits one narrow sum holds all; of others it is emptied on the way.
+TEST_P(CorrelatorTest, CountsAllBitsOfSmallAndLargeTemplates) {
+    for (const auto& [width, height] : {std::pair(15, 17), std::pair(16, 16), std::pair(3, 85),
+                                        std::pair(60, 61), std::pair(255, 255)}) {
+        for (const int channels : {1, 3}) {
+            const auto all = static_cast<std::uint8_t>(channels == 1 ? 1 : 255);
+            Case c;
+            c.picture = Image(width + 70, height + 6, channels, all);
+            c.templ = Image(width, height, channels, 0);
+            expect_definition(kernels(), c, Measure::hamming, random_, 8);
+            c.picture = picture_of(Content::random, random_, width + 70, height + 6, channels);
+            c.templ = picture_of(Content::random, random_, width, height, channels);
+            for (Image* image : {&c.picture, &c.templ}) {
+                for (int y = 0; y < image->height(); ++y) {
+                    for (std::size_t i = 0; i < image->row_bytes(); ++i) {
+                        image->row(y)[i] &= all;
+                    }
+                }
+            }
+            expect_definition(kernels(), c, Measure::hamming, random_, 20);
+        }
+    }
+}
+
 TEST_P(CorrelatorTest, GivesTheSameBitsAsThePlainLoops) {
     for (int round = 0; round < 40; ++round) {
         const Case c = random_case(random_, round % 2 == 0 ? Content::random : Content::almost_flat,
