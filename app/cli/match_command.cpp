@@ -206,7 +206,7 @@ Outcome run_match(const MatchOptions& options) {
     method->step = search->step;
     if (options.map) {
         if (const auto named = check_float_tiff_name(*options.map); !named) {
-            return refused(named.error(), true);
+            return refused(named.error(), false);
         }
     }
     auto outcome = match(options, *method, *search);

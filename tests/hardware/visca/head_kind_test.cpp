@@ -147,7 +147,8 @@ TEST(ZoomModel, FollowsAMeasuredCurve) {
     zoom.sensor_width_mm = 4.0;
     EXPECT_EQ(zoom.horizontal_view_rad(10.0), 0.0) << "not known";
     zoom.curve = {{0.0, 5.0}, {500.0, 10.0}, {1000.0, 50.0}};
-    EXPECT_NEAR(zoom.horizontal_view_rad(750.0), 2.0 * std::atan(4.0 / 60.0), 1e-12);
+    EXPECT_NEAR(zoom.horizontal_view_rad(750.0), 2.0 * std::atan(2.0 / std::sqrt(500.0)), 1e-12)
+        << "straight in the logarithm";
     EXPECT_NEAR(zoom.horizontal_view_rad(2000.0), 2.0 * std::atan(4.0 / 100.0), 1e-12);
 }
 
