@@ -1209,11 +1209,15 @@
     </message>
     <message>
         <source>The lens of the head &quot;%1&quot; at its widest is not known.</source>
-        <translation>Das Objektiv des Kopfes "%1" in weitester Stellung ist nicht bekannt.</translation>
+        <translation>Das Objektiv des Kopfes &quot;%1&quot; in weitester Stellung ist nicht bekannt.</translation>
     </message>
     <message>
         <source>Tell its focal length and its sensor&apos;s width, mm (--widest F,WIDTH).</source>
         <translation>Nennen Sie seine Brennweite und die Breite des Sensors, mm (--widest F,WIDTH).</translation>
+    </message>
+    <message>
+        <source>Save under another name.</source>
+        <translation>Speichern Sie unter einem anderen Namen.</translation>
     </message>
 </context>
 <context>
@@ -3918,6 +3922,30 @@ Was die Tabelle eines Herstellers zwischen den Enden eines Zooms sagt, ist selte
     <message>
         <source>The zoom&apos;s curve that was measured has not been saved.</source>
         <translation>Die gemessene Kurve des Zooms ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>&amp;Widest focal length</source>
+        <translation>Kürzeste &amp;Brennweite</translation>
+    </message>
+    <message>
+        <source>sensor&apos;s &amp;width</source>
+        <translation>Breite des S&amp;ensors</translation>
+    </message>
+    <message>
+        <source>Choose the kind of head first.</source>
+        <translation>Wählen Sie zuerst die Art des Kopfes.</translation>
+    </message>
+    <message>
+        <source>Tell the lens&apos; focal length at its widest and the sensor&apos;s width first: the head&apos;s manual has them.</source>
+        <translation>Nennen Sie zuerst die kürzeste Brennweite des Objektivs und die Breite des Sensors: Sie stehen im Handbuch des Kopfes.</translation>
     </message>
 </context>
 </TS>

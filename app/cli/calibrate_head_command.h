@@ -46,7 +46,8 @@ Result<HeadRecord> read_head_record(const std::filesystem::path& file, const Rig
 /// several head positions, jointly with the rig where its file has a covariance. The target may
 /// move between the views, not within one. JSON: rms_px, pair_rms_px, rms_without_model_px,
 /// views_used, views_rejected[{line, reason}], points, rig (held, prior or refined),
-/// rig_most_moved, rig_most_moved_sigmas, the model's numbers and deviations.
+/// rig_most_moved, rig_most_moved_sigmas, the head's own numbers and deviations. Written beside a
+/// rig that is not refined are those that steer best with it as it is (HeadCalibration).
 Outcome run_calibrate_head(const CalibrateHeadOptions& options);
 
 }  // namespace kambara::cli

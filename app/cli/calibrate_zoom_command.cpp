@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/cli/named_table.h"
-#include "core/base/text_file.h"
 #include "core/calibration/zoom_calibration.h"
 #include "core/camera/rig_file.h"
 #include "hardware/media/picture_file.h"
@@ -146,8 +145,7 @@ Outcome run_calibrate_zoom(const CalibrateZoomOptions& options) {
         return Outcome{measured.error()};
     }
     *kind = *measured;
-    if (const auto written = write_text_file_atomically(options.out, visca::heads_to_text(*heads));
-        !written) {
+    if (const auto written = visca::write_heads_file(options.out, *heads); !written) {
         return Outcome{written.error()};
     }
     nlohmann::json json{{"head", options.head},

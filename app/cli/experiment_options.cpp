@@ -95,7 +95,9 @@ CLI::App* add_calibrate_zoom(CLI::App& app, CalibrateZoomOptions& o) {
     c->add_option("--widest", o.widest,
                   "F,WIDTH: focal length at the widest and the sensor's width, mm, where the table "
                   "does not know them");
-    c->add_option("--out", o.out, "Table of heads to write, with the curve")->required();
+    c->add_option("--out", o.out,
+                  "Table of heads to write, with the curve, without the comments of the one read")
+        ->required();
     return c;
 }
 

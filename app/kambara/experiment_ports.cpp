@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/kambara/experiment_ports.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "app/cli/calibrate_head_command.h"
 #include "app/cli/named_table.h"
 #include "app/cli/range_test_page.h"
-#include "core/base/text_file.h"
 #include "hardware/media/picture_file.h"
 #include "hardware/visca/measured_zoom.h"
 
@@ -42,19 +44,34 @@ Result<ui::HeadRecordRead> head_record(const std::filesystem::path& file, const 
     return read;
 }
 
-Result<Done> write_heads(const std::filesystem::path& file, const std::string& name,
+// A table that is there keeps its other kinds, and the curves that were measured of them.
+Result<Done> write_heads(const std::filesystem::path& file, const ui::HeadKindLens& of,
                          const std::vector<std::pair<double, double>>& curve) {
     std::vector<visca::HeadKind> heads = visca::built_in_heads();
-    for (visca::HeadKind& kind : heads) {
-        if (kind.name == name) {
-            const auto measured = visca::with_measured_zoom(kind, curve);
-            if (!measured) {
-                return measured.error();
-            }
-            kind = *measured;
+    if (std::filesystem::exists(file)) {
+        auto there = visca::read_heads_file(file);
+        if (!there) {
+            return Error{there.error().cause, "Save under another name."};
         }
+        heads = std::move(*there);
     }
-    return write_text_file_atomically(file, visca::heads_to_text(heads));
+    auto kind = std::find_if(heads.begin(), heads.end(),
+                             [&](const visca::HeadKind& one) { return one.name == of.name; });
+    if (kind == heads.end()) {
+        const auto built_in = visca::find_head(visca::built_in_heads(), of.name);
+        if (!built_in) {
+            return Error{"There is no head \"" + of.name + "\" in the table.",
+                         "Choose another kind of head."};
+        }
+        kind = heads.insert(heads.end(), *built_in);
+    }
+    const auto measured = visca::with_measured_zoom(
+        *kind, curve, visca::WidestLens{of.widest_f_mm, of.sensor_width_mm});
+    if (!measured) {
+        return measured.error();
+    }
+    *kind = *measured;
+    return visca::write_heads_file(file, heads);
 }
 
 }  // namespace
@@ -67,7 +84,7 @@ ui::ExperimentPorts experiment_ports() {
     ports.read_head_record = head_record;
     ports.write_picture = write_picture;
     for (const visca::HeadKind& kind : visca::built_in_heads()) {
-        ports.head_kinds.push_back(kind.name);
+        ports.head_kinds.push_back({kind.name, kind.zoom.wide_f_mm, kind.zoom.sensor_width_mm});
     }
     ports.write_heads = write_heads;
     return ports;

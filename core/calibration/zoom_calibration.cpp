@@ -131,8 +131,9 @@ std::vector<Seen> follow(const cv::Mat& drawn, const cv::Mat& part, const cv::Ma
 
 using Residuals = Eigen::Matrix<double, Eigen::Dynamic, 1>;
 
-// Logarithm of the magnification and the turn of the camera, to the places found; a point that
-// leaves the lens' reach does not count.
+constexpr double out_of_reach_px = 1e6;  // beyond what any weight leaves
+
+// By the logarithm of the magnification and the turn of the camera, to the places found.
 Residuals residuals_of(const Lens& lens, const std::vector<Eigen::Vector3d>& directions,
                        const std::vector<Seen>& seen, const Eigen::Vector4d& x) {
     const Lens now = zoomed(lens, std::exp(x[0]));
@@ -143,9 +144,10 @@ Residuals residuals_of(const Lens& lens, const std::vector<Eigen::Vector3d>& dir
     }
     Residuals r = Residuals::Zero(static_cast<Eigen::Index>(2 * seen.size()));
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        if (const auto pixel = project(now, R * directions[i])) {
-            r.segment<2>(static_cast<Eigen::Index>(2 * i)) = *pixel - seen[i].found_px;
-        }
+        const auto pixel = project(now, R * directions[i]);
+        r.segment<2>(static_cast<Eigen::Index>(2 * i)) =
+            pixel ? Eigen::Vector2d(*pixel - seen[i].found_px)
+                  : Eigen::Vector2d::Constant(out_of_reach_px);
     }
     return r;
 }
@@ -318,8 +320,10 @@ Result<std::vector<ZoomPlace>> calibrate_zoom(const Camera& camera, std::vector<
     for (std::size_t i = 1; i < views.size(); ++i) {
         const double from = places.back().magnification;
         const auto step = best_step(camera.lens, *views[i - 1].grey, from, *views[i].grey, options);
+        // Written so that a deviation which is no number is refused as well.
         if (!step || step->points < options.least_points ||
-            step->log_sigma > options.largest_sigma || step->rms_px > options.largest_rms_px) {
+            !(step->log_sigma <= options.largest_sigma) ||
+            !(step->rms_px <= options.largest_rms_px)) {
             const std::string found = std::to_string(step ? step->points : 0);
             const bool enough = step && step->points >= options.least_points;
             return Error{"From zoom " + share_text(views[i - 1].zoom_share) + " to " +

@@ -69,7 +69,7 @@ class Correlator {
     PackedTemplate packed_;
     std::vector<PackedTemplate> of_planes_;  // for correlations by products of single planes
     PackedTemplate inside_;                  // 1 where the mask lets a pixel count
-    PackedTemplate outside_;                 // 1 where it does not, the padding included
+    PackedTemplate outside_;                 // 1 where it does not; padding too, if SAD counts it
     Normalisation normalisation_;
     SpectralDot spectral_dot_;
 

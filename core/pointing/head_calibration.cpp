@@ -36,6 +36,11 @@ std::optional<Error> unfit(const Rig& rig, const std::vector<HeadView>& views,
         return Error{"The rig file holds no pan-tilt camera.",
                      "Calibrate all three cameras with the head at home first."};
     }
+    if (!rig.right && std::any_of(views.begin(), views.end(),
+                                  [](const HeadView& view) { return !view.pair.empty(); })) {
+        return Error{"The views hold pixels of a right camera, and the rig file has none.",
+                     "Use the rig file of the cameras that took the views."};
+    }
     if (static_cast<int>(views.size()) < options.least_views) {
         return Error{std::to_string(views.size()) + " views are too few to calibrate the head.",
                      "Give at least " + std::to_string(options.least_views) +
@@ -82,13 +87,16 @@ std::vector<HeadView> places_held(std::vector<HeadView> views) {
     return views;
 }
 
-void forget_unseen(const HeadCalibration& result, HeadModel& model) {
-    if (!result.pan_backlash_seen) {
-        model.pan_backlash_rad = 0.0;
+// A side that all views of an axis came from tells its backlash from the camera's turn by belief
+// alone: it is left out, and that backlash stays nothing.
+std::vector<HeadView> with_sides_that_tell(std::vector<HeadView> views) {
+    const bool pan = from_both_sides(views, &HeadApproach::pan);
+    const bool tilt = from_both_sides(views, &HeadApproach::tilt);
+    for (HeadView& view : views) {
+        view.approach.pan = pan ? view.approach.pan : 0;
+        view.approach.tilt = tilt ? view.approach.tilt : 0;
     }
-    if (!result.tilt_backlash_seen) {
-        model.tilt_backlash_rad = 0.0;
-    }
+    return views;
 }
 
 // In the frame that rig.h defines, which a moved right camera turns.
@@ -138,11 +146,12 @@ RigByHeadViews rig_by_views(const Rig& rig, const HeadModel& model, const HeadAd
 
 }  // namespace
 
-Result<HeadCalibration> calibrate_head(const Rig& rig, const std::vector<HeadView>& views,
+Result<HeadCalibration> calibrate_head(const Rig& rig, const std::vector<HeadView>& given,
                                        const HeadCalibrationOptions& options) {
-    if (const auto error = unfit(rig, views, options)) {
+    if (const auto error = unfit(rig, given, options)) {
         return *error;
     }
+    const auto views = with_sides_that_tell(given);
     const HeadAdjustment problem(rig, views);
     const auto start = problem.equations(problem.start(head_at_home(rig)), {});
     if (!start) {
@@ -177,14 +186,12 @@ Result<HeadCalibration> calibrate_head(const Rig& rig, const std::vector<HeadVie
     result.tilt_backlash_seen = from_both_sides(views, &HeadApproach::tilt);
     result.pan_backlash_sigma_rad = sigma[14];
     result.tilt_backlash_sigma_rad = sigma[15];
-    forget_unseen(result, result.model);
     result.model_for_given_rig = result.model;
     if (problem.rig_takes_part()) {
         result.by_rig = rig_by_views(rig, result.model, problem, found.unknowns, covariance);
         const auto held = places_held(views);
         result.model_for_given_rig =
             solution_of(HeadAdjustment(rig, held), head_at_home(rig)).unknowns.model;
-        forget_unseen(result, result.model_for_given_rig);
     }
     return result;
 }

@@ -46,7 +46,9 @@ HeadWorker::~HeadWorker() {
 void HeadWorker::use_backlash(const HeadAngles& backlash) {
     std::lock_guard lock(mutex_);
     axes_ = HeadAxes(backlash);
-    axes_.see(status_.angles);
+    if (!past_.empty()) {
+        axes_.see(status_.angles);
+    }
 }
 
 HeadAngles HeadWorker::encoders_for(const HeadAngles& axes) {

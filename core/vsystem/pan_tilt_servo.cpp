@@ -14,7 +14,8 @@
 namespace kambara {
 namespace {
 
-// What a wrong mount may be off by: five degrees in the nominal camera.
+// What a wrong mount may be off by: five degrees in the nominal camera at its widest, 1.7 where it
+// enlarges three times.
 constexpr int look_radius_px = 64;
 constexpr int pictures_between_checks = 15;
 constexpr int pictures_between_tries = 3;

@@ -79,6 +79,10 @@ Result<std::vector<HeadKind>> read_heads_file(const std::filesystem::path& path)
 
 /// A table as heads_from_text reads it back.
 std::string heads_to_text(const std::vector<HeadKind>& heads);
+/// Writes one, unless it could not be read back. A file that is there keeps nothing, comments
+/// neither.
+Result<Done> write_heads_file(const std::filesystem::path& path,
+                              const std::vector<HeadKind>& heads);
 
 std::optional<HeadKind> find_head(const std::vector<HeadKind>& heads, int model);
 std::optional<HeadKind> find_head(const std::vector<HeadKind>& heads, std::string_view name);

@@ -2,6 +2,7 @@
 // The table of heads as text.
 #include <yaml-cpp/yaml.h>
 
+#include "core/base/text_file.h"
 #include "hardware/visca/head_kind.h"
 
 namespace kambara::visca {
@@ -73,6 +74,15 @@ std::string heads_to_text(const std::vector<HeadKind>& heads) {
     }
     out << YAML::EndSeq << YAML::EndMap;
     return std::string(out.c_str()) + "\n";
+}
+
+Result<Done> write_heads_file(const std::filesystem::path& path,
+                              const std::vector<HeadKind>& heads) {
+    const std::string text = heads_to_text(heads);
+    if (const auto read = heads_from_text(text); !read) {
+        return read.error();
+    }
+    return write_text_file_atomically(path, text);
 }
 
 }  // namespace kambara::visca

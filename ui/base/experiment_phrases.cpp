@@ -84,6 +84,7 @@ constexpr std::array phrases{
     QT_TRANSLATE_NOOP("core", "The lens of the head \"%1\" at its widest is not known."),
     QT_TRANSLATE_NOOP("core",
                       "Tell its focal length and its sensor's width, mm (--widest F,WIDTH)."),
+    QT_TRANSLATE_NOOP("core", "Save under another name."),
 };
 
 }  // namespace

@@ -25,6 +25,13 @@ struct HeadRecordRead {
     std::vector<std::string> rejected;  ///< sentences
 };
 
+/// A kind of head, and its lens at the widest; 0 where that is not known.
+struct HeadKindLens {
+    std::string name;
+    double widest_f_mm = 0.0;
+    double sensor_width_mm = 0.0;
+};
+
 /// What the experiments' forms need of the program around them: files and pages that the command
 /// line has as well. Called on the forms' threads.
 struct ExperimentPorts {
@@ -38,8 +45,8 @@ struct ExperimentPorts {
     std::function<Result<Done>(const std::filesystem::path&, const Image&)> write_picture;
     /// The kinds of heads that have a table, and that table with the zoom curve of one of them:
     /// zoom shares, and how much the lens enlarges over its widest.
-    std::vector<std::string> head_kinds;
-    std::function<Result<Done>(const std::filesystem::path&, const std::string& kind,
+    std::vector<HeadKindLens> head_kinds;
+    std::function<Result<Done>(const std::filesystem::path&, const HeadKindLens& kind,
                                const std::vector<std::pair<double, double>>& curve)>
         write_heads;
 };

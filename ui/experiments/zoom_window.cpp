@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -46,6 +47,12 @@ ZoomWindow::ZoomWindow(const ExperimentPorts& ports, QWidget* parent)
     resize(820, 680);
     build();
     connect(go_, &QPushButton::clicked, this, &ZoomWindow::go);
+    connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+            &ZoomWindow::show_lens_of_kind);
+    for (QDoubleSpinBox* field : {widest_, sensor_}) {
+        connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+                &ZoomWindow::changed);
+    }
     connect(save_, &SaveRow::save_asked, this, &ZoomWindow::save);
     connect(save_, &SaveRow::failed, this, [this](const QString& text) { say_failure(text); });
     changed();
@@ -89,13 +96,29 @@ void ZoomWindow::build() {
     row->addStretch(1);
     kind_ = new QComboBox(this);
     kind_->setObjectName(QStringLiteral("zoomKind"));
-    for (const std::string& name : ports_.head_kinds) {
-        kind_->addItem(QString::fromStdString(name));
+    for (const HeadKindLens& kind : ports_.head_kinds) {
+        kind_->addItem(QString::fromStdString(kind.name));
     }
+    kind_->setCurrentIndex(-1);  // which one is there, nobody but the operator knows for sure
     auto* label = new QLabel(tr("&Kind of head"), this);
     label->setBuddy(kind_);
     row->addWidget(label);
     row->addWidget(kind_);
+    const auto millimetre_field = [&](const QString& text, const char* name, double most) {
+        auto* field = new QDoubleSpinBox(this);
+        field->setObjectName(QLatin1String(name));
+        field->setRange(0.0, most);
+        field->setDecimals(3);
+        field->setSuffix(tr(" mm"));
+        field->setSpecialValueText(tr("not known"));
+        auto* its_label = new QLabel(text, this);
+        its_label->setBuddy(field);
+        row->addWidget(its_label);
+        row->addWidget(field);
+        return field;
+    };
+    widest_ = millimetre_field(tr("&Widest focal length"), "zoomWidest", 1000.0);
+    sensor_ = millimetre_field(tr("sensor's &width"), "zoomSensor", 100.0);
     all->addLayout(row);
     save_ = new SaveRow(tr("Table of &heads"), tr("&Save table"), QStringLiteral("saveZoom"),
                         tr("Tables of heads (*.yaml)"), this);
@@ -107,9 +130,11 @@ void ZoomWindow::build() {
 
 void ZoomWindow::set_source(const Rig& rig) {
     if (doing_ != Doing::nothing) {
-        stop();
         say(tr("Another source was opened: it ended."));
     }
+    // The head that was being zoomed is gone.
+    ++run_;
+    doing_ = Doing::nothing;
     rig_ = rig;
     newest_.reset();
     changed();
@@ -146,8 +171,8 @@ void ZoomWindow::go(bool on) {
         }
         return;
     }
-    if (!may_drop(tr("Measure anew"))) {
-        changed();
+    if (!may_drop(tr("Measure anew")) || !hindrance().isEmpty()) {
+        changed();  // or the head went while the question was open
         return;
     }
     ++run_;
@@ -200,8 +225,10 @@ void ZoomWindow::show_snapshot(const SnapshotPtr& snapshot) {
 }
 
 void ZoomWindow::go_on() {
-    if (!hindrance().isEmpty()) {
+    const QString why_not = hindrance();
+    if (!why_not.isEmpty()) {
         stop();
+        say_failure(why_not);
         return;
     }
     const HeadSnapshot& head = *newest_->head;
@@ -224,7 +251,7 @@ void ZoomWindow::go_on() {
         picture_.reset();
     }
     const std::int64_t waited_ms = clock_.elapsed() - since_ms_;
-    if (picture_ && waited_ms >= settle_ms && frame.index != *picture_) {
+    if (picture_ && waited_ms >= settle_ms && frame.index != *picture_ && frame.valid) {
         take();
     } else if (waited_ms > patience_ms) {
         stop();
@@ -328,7 +355,22 @@ void ZoomWindow::changed() {
     go_->setText(doing_ == Doing::zooming ? tr("&Stop") : tr("&Go through the zoom"));
     go_->setEnabled(doing_ == Doing::zooming || (idle && why_not.isEmpty()));
     go_->setToolTip(why_not);
-    save_->allow(idle && !places_.empty(), tr("Go through the zoom first: there is no curve."));
+    const bool lens_known = widest_->value() > 0.0 && sensor_->value() > 0.0;
+    save_->allow(idle && !places_.empty() && kind_->currentIndex() >= 0 && lens_known,
+                 places_.empty() ? tr("Go through the zoom first: there is no curve.")
+                 : kind_->currentIndex() < 0
+                     ? tr("Choose the kind of head first.")
+                     : tr("Tell the lens' focal length at its widest and the sensor's width first: "
+                          "the head's manual has them."));
+}
+
+void ZoomWindow::show_lens_of_kind() {
+    const auto index = static_cast<std::size_t>(std::max(0, kind_->currentIndex()));
+    if (index < ports_.head_kinds.size()) {
+        widest_->setValue(ports_.head_kinds[index].widest_f_mm);
+        sensor_->setValue(ports_.head_kinds[index].sensor_width_mm);
+    }
+    changed();
 }
 
 void ZoomWindow::save(const QString& file) {
@@ -336,8 +378,9 @@ void ZoomWindow::save(const QString& file) {
     for (const ZoomPlace& place : places_) {
         curve.emplace_back(place.zoom_share, place.magnification);
     }
-    const auto written =
-        ports_.write_heads(file.toStdString(), kind_->currentText().toStdString(), curve);
+    const auto written = ports_.write_heads(
+        file.toStdString(),
+        {kind_->currentText().toStdString(), widest_->value(), sensor_->value()}, curve);
     if (!written) {
         say_failure(written.error());
         return;

@@ -10,6 +10,7 @@
 #include "ui/experiments/experiment_ports.h"
 
 class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QTableWidget;
@@ -51,6 +52,7 @@ class ZoomWindow : public AssistantWindow {
     void changed();
     void show_rows();
     void show_verdict();
+    void show_lens_of_kind();
     void save(const QString& file);
     QString hindrance() const;
 
@@ -79,6 +81,8 @@ class ZoomWindow : public AssistantWindow {
     QPushButton* go_;
     QLabel* verdict_;
     QComboBox* kind_;
+    QDoubleSpinBox* widest_;
+    QDoubleSpinBox* sensor_;
     SaveRow* save_;
     Background* background_;
 };

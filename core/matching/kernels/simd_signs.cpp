@@ -16,7 +16,14 @@ HWY_BEFORE_NAMESPACE();
 namespace kambara {
 namespace HWY_NAMESPACE {
 
-#if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128 || !HWY_ARCH_X86
+
+// The weight i places from the middle.
+template <class Weights>
+HWY_INLINE int weight_at(const Weights& weights, int i) {
+    const auto from_middle = static_cast<std::size_t>(std::abs(i));
+    return from_middle < weights.size() ? weights[from_middle] : 0;
+}
 
 void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count, int, bool odd,
                 std::int16_t* HWY_RESTRICT out) {
@@ -25,8 +32,8 @@ void both_along(const std::uint8_t* row, const TwoGaussians& weights, int count,
         int wide = 0;
         for (int i = -4; i <= 4; ++i) {
             const int pixel = row[x + i] - 128;
-            narrow += std::abs(i) <= 2 ? weights.narrow[std::abs(i)] * pixel : 0;
-            wide += weights.wide[std::abs(i)] * pixel;
+            narrow += weight_at(weights.narrow, i) * pixel;
+            wide += weight_at(weights.wide, i) * pixel;
         }
         out[2 * x] = static_cast<std::int16_t>(odd ? wide : narrow);
         out[2 * x + 1] = static_cast<std::int16_t>(odd ? narrow : wide);
@@ -41,8 +48,8 @@ void larger_across(const std::int16_t* const* ten, bool odd, const TwoGaussians&
             for (int j = -4; j <= 4; ++j) {
                 const std::int16_t* both = ten[j + 4] + 2 * x;
                 const int narrow = j % 2 == 0 ? odd : !odd;  // its place
-                difference += std::abs(j) <= 2 ? weights.narrow[std::abs(j)] * both[narrow] : 0;
-                difference -= weights.wide[std::abs(j)] * both[1 - narrow];
+                difference += weight_at(weights.narrow, j) * both[narrow];
+                difference -= weight_at(weights.wide, j) * both[1 - narrow];
             }
             out[x] = difference > 0 ? 1 : 0;
         }

@@ -82,6 +82,7 @@ TEST(ZoomCalibrationSlow, FindsACurveToAFractionOfAThousandth) {
     }
     std::printf("squared error by variance: %.2f\n", squares);
     EXPECT_LT(squares, 6.0);
+    EXPECT_GT(squares, 0.02);
 }
 
 TEST(ZoomCalibration, RefusesWhatCannotTell) {
