@@ -13,6 +13,7 @@
 #include "app/cli/named_table.h"
 #include "core/calibration/zoom_calibration.h"
 #include "core/camera/rig_file.h"
+#include "core/devices/head_state.h"
 #include "hardware/media/picture_file.h"
 #include "hardware/visca/measured_zoom.h"
 
@@ -61,12 +62,10 @@ Result<std::optional<visca::WidestLens>> widest_in(const std::string& text) {
 
 // Of the lens as the table has it; empty where it does not know it.
 std::optional<double> table_magnification(const visca::HeadKind& kind, double share) {
-    const double widest_rad = kind.zoom.horizontal_view_rad(0.0);
-    const double view_rad = kind.zoom.horizontal_view_rad(std::round(share * kind.zoom.tele));
-    if (!(widest_rad > 0.0 && view_rad > 0.0)) {
-        return std::nullopt;
-    }
-    return std::tan(0.5 * widest_rad) / std::tan(0.5 * view_rad);
+    LensStatus lens;
+    lens.widest_view_rad = kind.zoom.horizontal_view_rad(0.0);
+    lens.horizontal_view_rad = kind.zoom.horizontal_view_rad(std::round(share * kind.zoom.tele));
+    return lens.horizontal_view_rad > 0.0 ? std::optional(lens.magnification()) : std::nullopt;
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ struct Step {
     double rms_px = 0.0;
 };
 
-// The picture as the lens zoomed to `to` would show it.
-cv::Mat drawn_at(const Lens& lens, const Image& grey, double from, double to) {
+// Where the lens zoomed to `from` shows what each pixel of the lens zoomed to `to` does.
+cv::Mat places_of(const Lens& lens, const Image& grey, double from, double to) {
     const Lens source = zoomed(lens, from);
     const Lens target = zoomed(lens, to);
     const int columns = grey.width() / grid_px + 2;
@@ -76,6 +76,10 @@ cv::Mat drawn_at(const Lens& lens, const Image& grey, double from, double to) {
             places.at<cv::Vec2f>(y, x) = above * (1.0F - v) + below * v;
         }
     }
+    return places;
+}
+
+cv::Mat drawn_at(const Image& grey, const cv::Mat& places) {
     cv::Mat drawn;
     cv::remap(opencv_view(grey), drawn, places, cv::noArray(), cv::INTER_CUBIC,
               cv::BORDER_CONSTANT);
@@ -83,9 +87,8 @@ cv::Mat drawn_at(const Lens& lens, const Image& grey, double from, double to) {
 }
 
 // Where the drawn picture is of pixels, not of what lies beyond them.
-cv::Mat drawn_part(const Lens& lens, const Image& grey, double from, double to) {
-    const Image white(grey.width(), grey.height(), 1, 255);
-    cv::Mat part = drawn_at(lens, white, from, to);
+cv::Mat drawn_part(const cv::Mat& places) {
+    cv::Mat part = drawn_at(Image(places.cols, places.rows, 1, 255), places);
     cv::threshold(part, part, 254.0, 255.0, cv::THRESH_BINARY);
     cv::erode(part, part, cv::Mat::ones(15, 15, CV_8UC1), {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
     return part;
@@ -190,6 +193,7 @@ std::optional<Step> fit(const Lens& lens, const std::vector<Seen>& all, double g
     }
     Eigen::Vector4d x(std::log(guess), 0.0, 0.0, 0.0);
     Step step;
+    double variance = 0.0;  // of the magnification's logarithm, as if no two points shared noise
     for (int round = 0; round < 12; ++round) {
         const Residuals r = residuals_of(lens, directions, seen, x);
         const double reach_px = 4.685 * std::max(0.02, 0.85 * median_length(r));  // Tukey's
@@ -227,22 +231,22 @@ std::optional<Step> fit(const Lens& lens, const std::vector<Seen>& all, double g
         }
         x += change;
         step.rms_px = std::sqrt(squares / weights);
-        const double variance = shared_noise(seen) * squares / std::max(1.0, 2.0 * weights - 4.0);
-        step.log_sigma = std::sqrt(variance * solver.solve(Eigen::Vector4d::Unit(0)).x());
+        variance = squares / std::max(1.0, 2.0 * weights - 4.0) *
+                   solver.solve(Eigen::Vector4d::Unit(0)).x();
         if (std::abs(change[0]) < settled && change.tail<3>().norm() < settled) {
             break;
         }
     }
     step.magnification = std::exp(x[0]);
+    step.log_sigma = std::sqrt(shared_noise(seen) * variance);
     return step;
 }
 
 // From the picture at `from` to the next one, for a first guess of its magnification.
 std::optional<Step> step_by(const Lens& lens, const Image& grey, double from, const cv::Mat& next,
                             double guess) {
-    const auto seen =
-        follow(drawn_at(lens, grey, from, guess), drawn_part(lens, grey, from, guess), next);
-    return fit(lens, seen, guess);
+    const cv::Mat places = places_of(lens, grey, from, guess);
+    return fit(lens, follow(drawn_at(grey, places), drawn_part(places), next), guess);
 }
 
 std::optional<Step> best_step(const Lens& lens, const Image& grey, double from, const Image& next,
