@@ -20,6 +20,15 @@ QLabel* sentence_label(const QString& object_name, QWidget* parent) {
     return label;
 }
 
+QLabel* empty_label(const QString& object_name, QWidget* parent) {
+    QLabel* label = sentence_label(object_name, parent);
+    label->setAlignment(Qt::AlignCenter);
+    label->setMargin(30);
+    label->setStyleSheet(
+        QStringLiteral("background: %1; color: %2").arg(theme::panel.name(), theme::faint.name()));
+    return label;
+}
+
 AssistantWindow::AssistantWindow(const QString& object_name, const QString& title, QWidget* parent)
     : QWidget(parent, Qt::Window),
       foot_(new QWidget(this)),

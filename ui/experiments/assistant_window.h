@@ -60,5 +60,7 @@ class AssistantWindow : public QWidget {
 
 /// A label that may be as long as its text: in several lines, selectable.
 QLabel* sentence_label(const QString& object_name, QWidget* parent);
+/// One that stands where a table will be, and says what fills it.
+QLabel* empty_label(const QString& object_name, QWidget* parent);
 
 }  // namespace kambara::ui

@@ -12,7 +12,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/base/theme.h"
 #include "ui/experiments/head_window.h"
 #include "ui/experiments/save_row.h"
 
@@ -70,11 +69,7 @@ QWidget* HeadWindow::views_part() {
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->setTabKeyNavigation(false);
     table_->setAccessibleName(tr("Recorded views"));
-    empty_ = sentence_label(QStringLiteral("headEmpty"), part);
-    empty_->setAlignment(Qt::AlignCenter);
-    empty_->setMargin(30);
-    empty_->setStyleSheet(
-        QStringLiteral("background: %1; color: %2").arg(theme::panel.name(), theme::faint.name()));
+    empty_ = empty_label(QStringLiteral("headEmpty"), part);
     empty_->setText(
         tr("There are no views yet.\n\nStand the target about a metre before the rig, "
            "where all three cameras see it, and go through the positions: the head "

@@ -14,7 +14,6 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "ui/base/theme.h"
 #include "ui/experiments/place_table.h"
 #include "ui/experiments/range_result.h"
 #include "ui/experiments/range_window.h"
@@ -78,11 +77,8 @@ QWidget* RangeWindow::places_page() {
     column->addLayout(options);
     table_ = new PlaceTable(page);
     table_->setObjectName(QStringLiteral("placeTable"));
-    empty_ = sentence_label(QStringLiteral("rangeEmpty"), page);
-    empty_->setAlignment(Qt::AlignCenter);
+    empty_ = empty_label(QStringLiteral("rangeEmpty"), page);
     empty_->setMargin(40);
-    empty_->setStyleSheet(
-        QStringLiteral("background: %1; color: %2").arg(theme::panel.name(), theme::faint.name()));
     empty_->setText(
         tr("There are no known places yet.\n\nAdd them one by one, or load a table "
            "whose columns are x_mm, y_mm, z_mm: x to the right, y down, z ahead.\n\n"

@@ -12,7 +12,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/base/theme.h"
 #include "ui/experiments/save_row.h"
 #include "ui/experiments/zoom_window.h"
 
@@ -32,11 +31,7 @@ void ZoomWindow::build() {
     table_->setTabKeyNavigation(false);
     table_->setAccessibleName(tr("Places of the zoom"));
     all->addWidget(table_, 1);
-    empty_ = sentence_label(QStringLiteral("zoomEmpty"), this);
-    empty_->setAlignment(Qt::AlignCenter);
-    empty_->setMargin(30);
-    empty_->setStyleSheet(
-        QStringLiteral("background: %1; color: %2").arg(theme::panel.name(), theme::faint.name()));
+    empty_ = empty_label(QStringLiteral("zoomEmpty"), this);
     empty_->setText(
         tr("Nothing is measured yet.\n\nTurn the head to a scene at rest with much detail, some "
            "metres away, and go through the zoom: the lens goes from wide to tele by itself, and "
